@@ -1,0 +1,34 @@
+#pragma once
+/// Time per stage, throughput, and what the bulge costs: `sinew bench`.
+
+#include "engine/app/frame.h"
+#include "engine/core/progress.h"
+
+namespace sinew {
+
+struct BenchOptions {
+  SceneOptions scene;
+  LookOptions look;
+  int frames_timed = 101;  ///< rounds of every measurement; odd, so that a median is one of them
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+struct Timing {
+  double median = 0.0, p95 = 0.0;  ///< milliseconds
+};
+
+struct BenchReport {
+  std::size_t vertices = 0, triangles = 0, joints = 0, instances = 0;
+  Timing pose, upload, deform, draw, readback, encode, frame;
+  Timing deform_bare;         ///< a bare 4-influence SSD kernel of the same layout, interleaved with `deform`
+  double deform_ratio = 0.0;  ///< median over rounds of deform / deform_bare
+  double ssd_fps = 0.0, bulge_fps = 0.0;
+  double bulge_cost = 0.0;    ///< median over interleaved pairs of frames of (with / without) - 1
+  double peak_memory_mib = 0.0;
+  double startup_ms = 0.0;    ///< from the process' start to the first picture in host memory
+};
+
+/// Every stage is timed as a submit of its own with the bulge on, after warm-up, frames taken in turn from the range.
+Result<BenchReport> run_bench(Device& device, const Stage& stage, const BenchOptions& options);
+
+}  // namespace sinew

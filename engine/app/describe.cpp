@@ -1,0 +1,46 @@
+#include "engine/app/describe.h"
+
+#include <set>
+
+namespace sinew {
+namespace {
+
+std::size_t distinct_joints(const Model& model) {
+  std::set<int> nodes;
+  for (const Skin& skin : model.skins) nodes.insert(skin.joints.begin(), skin.joints.end());
+  return nodes.size();
+}
+
+/// Of the file's vertices: one that follows its mesh's node has no weights.
+std::size_t most_influences(const Model& model) {
+  std::size_t most = 0;
+  for (const Mesh& mesh : model.meshes)
+    for (const Primitive& primitive : mesh.primitives)
+      for (std::size_t v = 0; v < primitive.influences.vertices(); ++v)
+        most = std::max<std::size_t>(most, primitive.influences.first[v + 1] - primitive.influences.first[v]);
+  return most;
+}
+
+std::size_t morph_target_count(const Model& model) {
+  std::size_t sum = 0;
+  for (const Mesh& mesh : model.meshes)
+    if (!mesh.primitives.empty()) sum += mesh.primitives.front().morph_targets.size();
+  return sum;
+}
+
+}  // namespace
+
+Description describe(const Stage& stage) {
+  Description d;
+  d.vertices = stage.vertices();
+  d.triangles = stage.triangles();
+  for (const StagedCharacter& character : stage.characters) {
+    d.joints += distinct_joints(*character.model);
+    d.max_influences = std::max(d.max_influences, most_influences(*character.model));
+    d.morph_targets += morph_target_count(*character.model);
+  }
+  d.bounds = rest_bounds(stage);
+  return d;
+}
+
+}  // namespace sinew

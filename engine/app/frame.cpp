@@ -1,0 +1,81 @@
+#include "engine/app/frame.h"
+
+namespace sinew {
+namespace {
+
+ViewDirection direction(View view) {
+  switch (view) {
+    case View::front: return {0.0, 0.0};
+    case View::left: return {90.0, 0.0};
+    case View::back: return {180.0, 0.0};
+    case View::right: return {270.0, 0.0};
+    case View::top: return {0.0, 90.0};
+    case View::three_quarter: return {35.0, 12.0};
+  }
+  return {};
+}
+
+std::array<float, 4> background_words(const Colour& colour) {
+  if (colour.alpha == 0) return {0, 0, 0, 0};
+  return {colour.red / 255.0f, colour.green / 255.0f, colour.blue / 255.0f, 1.0f};
+}
+
+double largest_bulge(const Stage& stage) {
+  double largest = 0.0;
+  for (const StagedCharacter& character : stage.characters)
+    for (const PlacedMuscle& placed : character.muscles) largest = std::max(largest, placed.muscle.peak);
+  return largest;
+}
+
+}  // namespace
+
+FrameMaker::FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds)
+    : renderer_(std::move(renderer)), stage_(&stage), look_(look), bounds_(bounds) {}
+
+Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const SceneOptions& scene,
+                                      const LookOptions& look, std::vector<std::string>& problems) {
+  auto renderer = Renderer::create(device, {look.size.width, look.size.height, look.samples});
+  if (!renderer) return pass_on(std::move(renderer));
+  const GpuDeformerOptions options{.deformer = scene.deformer, .bulge = scene.bulge};
+  for (const StagedCharacter& c : stage.characters)
+    if (auto ok = renderer->add_character(*c.model, c.mesh, c.rest, c.muscles, options, problems); !ok)
+      return pass_on(std::move(ok));
+  return FrameMaker(std::move(*renderer), stage, look, stage_bounds(stage));
+}
+
+Result<Picture> FrameMaker::picture(int frame) {
+  upload(pose(frame));
+  return renderer_.draw(shot(frame));
+}
+
+std::vector<CharacterState> FrameMaker::pose(int frame) const {
+  std::vector<CharacterState> states;
+  for (std::size_t i = 0; i < stage_->characters.size(); ++i) states.push_back(character_state(*stage_, i, frame));
+  return states;
+}
+
+void FrameMaker::upload(const std::vector<CharacterState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i)
+    renderer_.deformer(i).set_state({states[i].palette, states[i].morph_weights, states[i].activations});
+}
+
+Shot FrameMaker::shot(int frame) const {
+  const Camera& camera = stage_->scene.camera;
+  ViewDirection towards = direction(look_.view.value_or(camera.view));
+  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame));
+  const double aspect = double(look_.size.width) / look_.size.height;
+  Shot shot;
+  shot.viewpoint = frame_box(bounds_, towards, aspect);
+  if (camera.target || camera.distance) {
+    const Vec3 target = camera.target ? camera.target->value_at(frame) : bounds_.centre();
+    const double distance =
+        camera.distance ? camera.distance->value_at(frame) : glm::length(shot.viewpoint.eye - bounds_.centre());
+    shot.viewpoint = look_at(target, distance, bounds_, towards);
+  }
+  shot.shading = look_.shading.value_or(stage_->scene.look.shading);
+  shot.background = background_words(look_.background.value_or(stage_->scene.look.background));
+  shot.largest_bulge = largest_bulge(*stage_);
+  return shot;
+}
+
+}  // namespace sinew

@@ -1,0 +1,44 @@
+#pragma once
+/// The main path: scene and frame number in, picture out.
+
+#include "engine/app/stage.h"
+#include "engine/render/renderer.h"
+
+namespace sinew {
+
+/// How the scene is looked at: what the command line says over what the scene says.
+struct LookOptions {
+  PictureSize size;
+  int samples = 1;
+  std::optional<View> view;
+  std::optional<double> orbit;  ///< degrees, counter-clockwise seen from above
+  std::optional<Shading> shading;
+  std::optional<Colour> background;
+};
+
+/// Makes the pictures of a stage. Stage and device must outlive it.
+class FrameMaker {
+ public:
+  /// Uploads every character. What could not be shown as the files ask is named in `problems`.
+  static Result<FrameMaker> create(Device& device, const Stage& stage, const SceneOptions& scene,
+                                   const LookOptions& look, std::vector<std::string>& problems);
+
+  /// The picture at a frame: a function of the stage and the number alone.
+  Result<Picture> picture(int frame);
+
+  /// The steps of picture(), for benchmarks.
+  std::vector<CharacterState> pose(int frame) const;
+  void upload(const std::vector<CharacterState>& states);
+  Shot shot(int frame) const;
+  Renderer& renderer() { return renderer_; }
+
+ private:
+  FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds);
+
+  Renderer renderer_;
+  const Stage* stage_;
+  LookOptions look_;
+  Bounds bounds_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,230 @@
+#include <nlohmann/json.hpp>
+
+#include "embedded/default_scene.h"
+#include "engine/app/stage.h"
+#include "engine/body/arm.h"
+#include "engine/core/files.h"
+#include "engine/core/text.h"
+#include "engine/io/gltf_read.h"
+#include "engine/io/scene_file.h"
+#include "engine/model/resample.h"
+#include "engine/model/scene_words.h"
+
+namespace sinew {
+namespace {
+
+constexpr std::size_t largest_scene_file = std::size_t{64} << 20;
+
+/// A scene, and whether it was made up for a bare model, which has defaults of its own.
+struct OpenedScene {
+  Scene scene;
+  bool bare_model = false;
+};
+
+OpenedScene bare_model_scene(const std::string& model) {
+  OpenedScene opened;
+  opened.bare_model = true;
+  opened.scene.characters.emplace_back().model = model;
+  return opened;
+}
+
+Result<OpenedScene> open_scene(const std::string& source) {
+  if (source.empty()) {
+    auto scene = parse_scene(default_scene, "the embedded scene", ".");
+    if (!scene) return pass_on(std::move(scene));
+    return OpenedScene{std::move(*scene), false};
+  }
+  if (is_built_in_model(source)) return bare_model_scene(source);
+  auto bytes = read_file(source);
+  if (!bytes) return pass_on(std::move(bytes));
+  if (bytes->size() <= largest_scene_file && looks_like_scene(*bytes)) {
+    auto scene = read_scene(source);
+    if (!scene) return pass_on(std::move(scene));
+    return OpenedScene{std::move(*scene), false};
+  }
+  return bare_model_scene(source);
+}
+
+Result<void> load_model(StagedCharacter& character) {
+  const std::string name = character.scene.model.string();
+  if (is_built_in_model(name)) {
+    character.model = std::make_unique<Model>(make_arm());
+    character.model_hash = name;
+    return {};
+  }
+  auto model = read_gltf(character.scene.model);
+  if (!model) return pass_on(std::move(model));
+  auto bytes = read_file(character.scene.model);
+  if (!bytes) return pass_on(std::move(bytes));
+  character.model_hash = sha256(*bytes);
+  character.model = std::make_unique<Model>(std::move(*model));
+  return {};
+}
+
+std::vector<std::string> clip_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Clip& clip : model.clips) names.push_back(clip.name);
+  return names;
+}
+
+Result<int> find_clip(const Model& model, const ClipChoice& choice) {
+  if (std::holds_alternative<NoClip>(choice)) return -1;
+  const std::vector<std::string> names = clip_names(model);
+  if (const int* index = std::get_if<int>(&choice)) {
+    if (*index < static_cast<int>(names.size())) return *index;
+    return bad_input("{}: has no clip {}; it has {} ({})", model.file, *index, names.size(), fmt::join(names, ", "));
+  }
+  const std::string& name = std::get<std::string>(choice);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return static_cast<int>(i);
+  return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names), names.size(),
+                   fmt::join(names, ", "));
+}
+
+Result<void> choose_clip(StagedCharacter& character, const SceneOptions& options, bool bare_model) {
+  std::optional<ClipChoice> choice = options.clip ? options.clip : character.scene.clip;
+  if (!choice && bare_model && !character.model->clips.empty()) choice = 0;
+  if (!choice) return {};
+  auto clip = find_clip(*character.model, *choice);
+  if (!clip) return pass_on(std::move(clip));
+  character.clip = *clip;
+  return {};
+}
+
+Result<void> find_tracks(StagedCharacter& character) {
+  for (const auto& [joint, keys] : character.scene.keys) {
+    const auto node = find_joint(*character.model, character.humanoid, joint);
+    if (!node) return bad_input("keys: {}", node.error().message);
+    character.tracks.push_back({*node, keys});
+  }
+  return {};
+}
+
+/// --pose turns the joint of that name in every character that has it.
+Result<void> add_poses(Stage& stage, const std::vector<PoseOption>& poses) {
+  for (const PoseOption& pose : poses) {
+    std::optional<Error> unknown;
+    bool found = false;
+    for (StagedCharacter& character : stage.characters) {
+      const auto node = find_joint(*character.model, character.humanoid, pose.joint);
+      if (!node) {
+        unknown = node.error();
+        continue;
+      }
+      character.tracks.push_back({*node, Keyed<Vec3>::constant(pose.degrees)});
+      found = true;
+    }
+    if (!found) return bad_input("--pose {}: {}", pose.joint, unknown ? unknown->message : "the scene has no character");
+  }
+  return {};
+}
+
+Result<void> place_muscles(StagedCharacter& character, bool bare_model, std::vector<std::string>& problems) {
+  const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
+  if (bare_model) {
+    character.muscles = default_muscles(context, problems);
+    return {};
+  }
+  for (const MuscleSpec& spec : character.scene.muscles) {
+    auto placed = place_muscle(context, spec);
+    if (!placed) return bad_input("{}: {}", character.scene.model.string(), placed.error().message);
+    character.muscles.push_back(std::move(*placed));
+  }
+  return {};
+}
+
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, bool bare_model,
+                     std::vector<std::string>& problems) {
+  if (auto ok = load_model(character); !ok) return ok;
+  const Model& model = *character.model;
+  const std::size_t first_problem = problems.size();
+  problems.insert(problems.end(), model.problems.begin(), model.problems.end());
+  character.order = hierarchy_order(model);
+  character.rest_rotations = rest_rotations(model, character.order);
+  character.mesh = character_mesh(model);
+  if (options.vertices > 0) {
+    auto mesh = resample(character.mesh, options.vertices);
+    if (!mesh) return pass_on(std::move(mesh));
+    character.mesh = std::move(*mesh);
+  }
+  character.rest = rest_shape(model, character.mesh, character.order);
+  for (MeshPart& part : character.mesh.parts)
+    if (part.vertex_count > 0) part.mirrored = glm::determinant(character.rest.blend[part.first_vertex]) < 0.0;
+  character.humanoid = find_humanoid(model, character.rest.global);
+  if (auto ok = choose_clip(character, options, bare_model); !ok) return ok;
+  if (auto ok = find_tracks(character); !ok) return ok;
+  if (auto ok = place_muscles(character, bare_model, problems); !ok) return ok;
+  for (std::size_t i = first_problem; i < problems.size(); ++i)
+    problems[i] = fmt::format("{}: {}", character.scene.model.string(), problems[i]);
+  return {};
+}
+
+/// What a character asks for that this program cannot do yet: said, not ignored.
+void note_unsupported(const Character& character, std::vector<std::string>& problems) {
+  const auto note = [&](bool asked, const char* what) {
+    if (asked) problems.push_back(fmt::format("{}: \"{}\" is not shown yet", character.model.string(), what));
+  };
+  note(character.motion.has_value(), "motion");
+  note(character.expressions.has_value(), "expressions");
+  note(!character.regions.empty(), "regions");
+  note(!character.emotion.empty(), "emotion");
+}
+
+/// From frame 0 to the last frame that a clip or a key has.
+FrameSpan natural_range(const Stage& stage) {
+  double last = 0.0;
+  for (const StagedCharacter& character : stage.characters) {
+    // A duration that is a whole number of frames up to rounding must not grow by one.
+    if (character.clip >= 0)
+      last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
+    for (const StagedCharacter::JointTrack& track : character.tracks)
+      last = std::max(last, std::ceil(track.degrees.keys.back().frame));
+  }
+  return {0, static_cast<int>(std::clamp(last, 0.0, 1e7))};
+}
+
+std::string hash_scene(const Stage& stage, const SceneOptions& options) {
+  nlohmann::ordered_json json;
+  Scene scene = stage.scene;
+  scene.frames = stage.range;
+  // Where a model lies does not change what is shown; what is in it does.
+  for (std::size_t i = 0; i < scene.characters.size(); ++i) scene.characters[i].model = stage.characters[i].model_hash;
+  json["scene"] = scene_text(scene, {});
+  for (const StagedCharacter& character : stage.characters) {
+    json["clips"].push_back(character.clip);
+    for (const PlacedMuscle& placed : character.muscles) json["muscles"].push_back(placed.muscle.name);
+  }
+  for (const PoseOption& pose : options.poses)
+    json["poses"].push_back({pose.joint, pose.degrees.x, pose.degrees.y, pose.degrees.z});
+  json["strength"] = stage.strength;
+  return sha256(json.dump());
+}
+
+}  // namespace
+
+Result<Stage> open_stage(const SceneOptions& options) {
+  auto opened = open_scene(options.scene);
+  if (!opened) return pass_on(std::move(opened));
+  Stage stage;
+  stage.source = options.scene.empty() ? "the embedded scene" : options.scene;
+  stage.scene = std::move(opened->scene);
+  stage.is_scene = !opened->bare_model;
+  stage.strength = options.strength;
+  if (options.fps) stage.scene.fps = *options.fps;
+  for (const Character& character : stage.scene.characters) {
+    note_unsupported(character, stage.problems);
+    StagedCharacter& staged = stage.characters.emplace_back();
+    staged.scene = character;
+    if (auto ok = prepare(staged, options, opened->bare_model, stage.problems); !ok) {
+      const bool names_file = ok.error().message.find(character.model.string()) != std::string::npos;
+      return names_file && opened->bare_model ? pass_on(std::move(ok))
+                                              : bad_input("{}: {}", stage.source, ok.error().message);
+    }
+  }
+  if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
+  stage.range = stage.scene.frames.value_or(natural_range(stage));
+  stage.scene_hash = hash_scene(stage, options);
+  return stage;
+}
+
+}  // namespace sinew

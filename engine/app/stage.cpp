@@ -1,0 +1,102 @@
+#include "engine/app/stage.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "engine/rig/clip_sampling.h"
+
+namespace sinew {
+namespace {
+
+/// Frames at which a range is sampled for its bounds at the most.
+constexpr int most_bounds_samples = 256;
+
+Mat4 placement(const Character& character, double frame) {
+  const Mat4 moved = glm::translate(Mat4(1.0), character.position.value_at(frame));
+  return glm::rotate(moved, character.turn.value_at(frame) * degrees_to_radians, Vec3(0, 1, 0));
+}
+
+Bounds bounds_of(const std::vector<Vec3>& points) {
+  Bounds bounds;
+  for (const Vec3& p : points) bounds.add(p);
+  return bounds;
+}
+
+}  // namespace
+
+std::size_t Stage::vertices() const {
+  std::size_t sum = 0;
+  for (const StagedCharacter& character : characters) sum += character.mesh.vertices();
+  return sum;
+}
+
+std::size_t Stage::triangles() const {
+  std::size_t sum = 0;
+  for (const StagedCharacter& character : characters) sum += character.mesh.triangles.size() / 3;
+  return sum;
+}
+
+Pose character_pose(const Stage& stage, std::size_t index, double frame) {
+  const StagedCharacter& character = stage.characters[index];
+  Pose pose = rest_pose(*character.model);
+  if (character.clip >= 0) sample_clip(character.model->clips[character.clip], frame / stage.scene.fps, pose);
+  for (const StagedCharacter::JointTrack& track : character.tracks)
+    turn_joint(*character.model, character.rest_rotations, track.node, track.degrees.value_at(frame), pose);
+  return pose;
+}
+
+CharacterState character_state(const Stage& stage, std::size_t index, double frame) {
+  const StagedCharacter& character = stage.characters[index];
+  const Pose pose = character_pose(stage, index, frame);
+  CharacterState state;
+  state.global = global_transforms(*character.model, character.order, pose);
+  state.palette = palette_transforms(character.mesh, state.global, placement(character.scene, frame));
+  state.morph_weights = morph_slot_weights(character.mesh, pose);
+  for (const PlacedMuscle& placed : character.muscles) {
+    const double angle = placed.driver.degrees(state.global);
+    const Muscle& muscle = placed.muscle;
+    state.activations.push_back(stage.strength * muscle_activation(angle, muscle.rest_angle, muscle.reference_angle));
+  }
+  return state;
+}
+
+DeformedVertices deform_on_cpu(const StagedCharacter& character, const CharacterState& state, Deformer deformer,
+                               BulgeMode bulge) {
+  std::vector<ActiveMuscle> active;
+  for (std::size_t i = 0; i < character.muscles.size(); ++i)
+    active.push_back({character.muscles[i].muscle, character.muscles[i].region, state.activations[i]});
+  return deform_reference(character.mesh, character.rest, {state.palette, state.morph_weights, active, deformer, bulge});
+}
+
+Bounds rest_bounds(const Stage& stage) {
+  Bounds bounds;
+  for (const StagedCharacter& character : stage.characters) {
+    const Mat4 at_first = placement(character.scene, stage.range.first);
+    for (const Vec3& p : character.rest.positions) bounds.add(Vec3(at_first * Vec4(p, 1.0)));
+  }
+  return bounds;
+}
+
+Bounds stage_bounds(const Stage& stage) {
+  Bounds bounds = rest_bounds(stage);
+  const int frames = stage.range.last - stage.range.first;
+  const int samples = std::min(frames, most_bounds_samples - 1);
+  for (std::size_t c = 0; c < stage.characters.size(); ++c) {
+    for (int i = 0; i <= samples; ++i) {
+      const double frame = samples == 0 ? stage.range.first : stage.range.first + double(frames) * i / samples;
+      const CharacterState state = character_state(stage, c, std::round(frame));
+      bounds.add(bounds_of(deform_on_cpu(stage.characters[c], state, Deformer::ssd, BulgeMode::off).positions));
+    }
+  }
+  if (bounds.empty()) bounds.add(Vec3(0.0));
+  return bounds;
+}
+
+std::vector<int> selected_frames(const Stage& stage, const SceneOptions& options, bool one_picture) {
+  if (options.frames) return *options.frames;
+  std::vector<int> frames{stage.range.first};
+  if (!one_picture)
+    for (int frame = stage.range.first + 1; frame <= stage.range.last; ++frame) frames.push_back(frame);
+  return frames;
+}
+
+}  // namespace sinew

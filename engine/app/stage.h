@@ -1,0 +1,81 @@
+#pragma once
+/// A scene made ready to play: files read, joints found, muscles placed. A frame's state is a pure function of the stage
+/// and the frame's number. No Vulkan here.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/app/options.h"
+#include "engine/body/muscle_placement.h"
+#include "engine/deform/reference.h"
+
+namespace sinew {
+
+/// A model and everything about it that no frame changes.
+struct StagedCharacter {
+  Character scene;  ///< what the scene says of it
+  std::unique_ptr<Model> model;
+  std::string model_hash;  ///< SHA-256 of the file, or the name of a built-in model
+  std::vector<int> order;  ///< hierarchy_order
+  std::vector<Quat> rest_rotations;
+  Humanoid humanoid;
+  CharacterMesh mesh;
+  RestShape rest;
+  std::vector<PlacedMuscle> muscles;
+  int clip = -1;  ///< index into the model's clips, -1: none
+
+  /// A joint's angles over time.
+  struct JointTrack {
+    int node = -1;
+    Keyed<Vec3> degrees;
+  };
+  std::vector<JointTrack> tracks;  ///< the scene's keys, then --pose: the later wins
+};
+
+/// One character at one frame: what both deformers take.
+struct CharacterState {
+  std::vector<Mat4> global;           ///< [nodes] before `placement`, model space
+  std::vector<Mat34> palette;         ///< [mesh.palette] world space
+  std::vector<double> morph_weights;  ///< [mesh.morph_slots]
+  std::vector<double> activations;    ///< [muscles] delta, times the strength
+};
+
+struct Stage {
+  Scene scene;
+  std::vector<StagedCharacter> characters;
+  FrameSpan range;          ///< the scene's whole range
+  double strength = 1.0;    ///< of all muscles
+  bool is_scene = true;     ///< opened from a scene, not from a bare model
+  std::string source;       ///< what was opened, for messages: a file, or "the embedded scene"
+  std::string scene_hash;   ///< of what is shown: scene, models, clip, pose, fps, strength; no paths, no frames
+  std::vector<std::string> problems;  ///< of all models, each with its file
+
+  std::size_t vertices() const;
+  std::size_t triangles() const;
+};
+
+/// Opens a scene file, a bare model or the embedded default. Fails as bad_input; nothing is left half open.
+Result<Stage> open_stage(const SceneOptions& options);
+
+/// Where a character's joints and muscles stand at a frame.
+CharacterState character_state(const Stage& stage, std::size_t character, double frame);
+
+/// The pose alone, before forward kinematics.
+Pose character_pose(const Stage& stage, std::size_t character, double frame);
+
+/// The CPU's deformation of a character in a state.
+DeformedVertices deform_on_cpu(const StagedCharacter& character, const CharacterState& state, Deformer deformer,
+                               BulgeMode bulge);
+
+/// The box round the rest pose, world space at the first frame of the range; empty where nothing is drawn.
+Bounds rest_bounds(const Stage& stage);
+
+/// The box round the rest pose and the scene's whole range, plain SSD, world space. Long ranges are sampled at evenly
+/// spaced frames, both ends among them.
+Bounds stage_bounds(const Stage& stage);
+
+/// The frames that were asked for; else, for one picture, the first of the range; else the whole range.
+std::vector<int> selected_frames(const Stage& stage, const SceneOptions& options, bool one_picture);
+
+}  // namespace sinew

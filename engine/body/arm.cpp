@@ -1,0 +1,163 @@
+#include "engine/body/arm.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "engine/body/hand_cage.h"
+#include "engine/body/limb_sections.h"
+#include "engine/body/quad_cage.h"
+
+namespace sinew {
+namespace {
+
+/// The measures that limb_sections and hand_cage are drawn for.
+constexpr double elbow_x = 0.30, wrist_x = 0.56;
+
+/// Where the cage has rings: closer at the elbow, so that it bends round.
+constexpr double ring_stations[] = {-0.052, -0.034, -0.010, 0.020, 0.052, 0.084, 0.116, 0.148, 0.180,
+                                    0.210,  0.234,  0.252,  0.268, 0.281, 0.292, 0.303, 0.314, 0.327,
+                                    0.343,  0.366,  0.396,  0.430, 0.465, 0.498, 0.524, 0.545, 0.560};
+constexpr double cap_x = -0.062;
+
+/// Between these the surface leaves the sections and follows the hand's cage alone.
+constexpr double sections_end = 0.530, cage_begins = 0.556;
+/// Towards the pole of the cap a section's direction loses its meaning.
+constexpr double cap_ends = -0.040, cap_blend = 0.016;
+
+constexpr int joint_count = 5;
+
+LimbRing section_ring(QuadCage& cage, double x) {
+  LimbRing ring;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Vec2 yz = limb_section(x, static_cast<double>(k) * 2.0 * std::numbers::pi / limb_ring_size);
+    ring[k] = cage.add({x, yz.x, yz.y});
+  }
+  return ring;
+}
+
+/// Closes the shoulder by 3 x 3 quads: their outline is the ring, their four inner corners form a shallow dome.
+void close_shoulder(QuadCage& cage, const LimbRing& ring) {
+  std::array<std::uint32_t, 4> inner;
+  for (std::size_t corner = 0; corner < inner.size(); ++corner) {
+    const Vec3& outer = cage.positions[ring[3 * corner]];
+    inner[corner] = cage.add({cap_x, 0.42 * outer.y, 0.42 * outer.z});
+  }
+  for (std::size_t corner = 0; corner < inner.size(); ++corner) {
+    const std::size_t k = 3 * corner, next = (corner + 1) % inner.size();
+    const auto at = [&](std::size_t step) { return ring[(k + step + ring.size()) % ring.size()]; };
+    cage.quads.push_back({at(1), at(0), at(ring.size() - 1), inner[corner]});
+    cage.quads.push_back({at(2), at(1), inner[corner], inner[next]});
+  }
+  cage.quads.push_back({inner[3], inner[2], inner[1], inner[0]});
+}
+
+QuadCage arm_cage() {
+  QuadCage cage;
+  LimbRing ring = section_ring(cage, ring_stations[0]);
+  close_shoulder(cage, ring);
+  for (std::size_t s = 1; s < std::size(ring_stations); ++s) {
+    const LimbRing next = section_ring(cage, ring_stations[s]);
+    cage.bridge(ring, next);
+    ring = next;
+  }
+  add_hand(cage, ring, wrist_x);
+  return cage;
+}
+
+/// Lays refined vertices of the limb back on its sections: the cage's twelve sides alone would round muscles off.
+void lay_on_sections(std::vector<Vec3>& positions) {
+  for (Vec3& p : positions) {
+    const double share = (1.0 - smoothstep01((p.x - sections_end) / (cage_begins - sections_end))) *
+                         smoothstep01((p.x - cap_ends) / cap_blend);
+    if (share == 0.0) continue;
+    const Vec2 on_section = limb_section(p.x, limb_section_angle(p.x, {p.y, p.z}));
+    p = glm::mix(p, Vec3{p.x, on_section.x, on_section.y}, share);
+  }
+}
+
+/// From the drawn measures to the wanted ones.
+Vec3 fitted(const Vec3& p, const ArmShape& shape) {
+  const double upper = shape.upper_arm_length / elbow_x, lower = shape.lower_arm_length / (wrist_x - elbow_x);
+  const double hand_scale = shape.hand_length / drawn_hand_length;
+  const double x = upper * std::min(p.x, elbow_x) + lower * std::clamp(p.x - elbow_x, 0.0, wrist_x - elbow_x) +
+                   hand_scale * std::max(p.x - wrist_x, 0.0);
+  const double across = glm::mix(shape.thickness, hand_scale, smoothstep01((p.x - 0.50) / (wrist_x - 0.50)));
+  return {x, across * p.y, across * p.z};
+}
+
+/// 0 before a joint, 1 behind it, over `half_width` metres to either side.
+double behind(double x, double joint_x, double half_width) {
+  return smoothstep01(0.5 * (x - joint_x) / half_width + 0.5);
+}
+
+/// Weights by place along the straight limb, in the drawn measures. Seven tenths of the radius at the elbow keep it
+/// solid when it is bent far.
+std::vector<Influence> influences_at(const Vec3& drawn) {
+  const double s = behind(drawn.x, -0.032, 0.026);
+  const double e = behind(drawn.x, elbow_x, 0.028);
+  const double h = behind(drawn.x, wrist_x, 0.022);
+  const double weights[] = {1 - s, s * (1 - e), s * e * (1 - h), s * e * h};
+  std::vector<Influence> run;
+  for (std::uint32_t joint = 0; joint < std::size(weights); ++joint)
+    if (weights[joint] > 0.0) run.push_back({joint, weights[joint]});
+  std::ranges::stable_sort(run, [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+  return run;
+}
+
+void add_skeleton(Model& model, const ArmShape& shape) {
+  const char* const names[joint_count] = {"leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand", "leftHandTip"};
+  const double x[joint_count] = {cap_x * shape.upper_arm_length / elbow_x, 0.0, shape.upper_arm_length,
+                                 shape.upper_arm_length + shape.lower_arm_length,
+                                 shape.upper_arm_length + shape.lower_arm_length + shape.hand_length};
+  Skin skin{.name = "arm", .joints = {}, .inverse_bind = {}};
+  for (int joint = 0; joint < joint_count; ++joint) {
+    Node node;
+    node.name = names[joint];
+    node.parent = joint - 1;
+    if (joint + 1 < joint_count) node.children = {joint + 1};
+    node.rest.translation.x = joint == 0 ? x[0] : x[joint] - x[joint - 1];
+    model.nodes.push_back(node);
+    skin.joints.push_back(joint);
+    skin.inverse_bind.push_back(Transform{.translation = {-x[joint], 0, 0}}.matrix());
+  }
+  model.roots = {0};
+  model.skins = {skin};
+}
+
+}  // namespace
+
+Model make_arm(const ArmShape& shape) {
+  assert(shape.upper_arm_length > 0 && shape.lower_arm_length > 0 && shape.hand_length > 0 && shape.thickness > 0);
+  QuadCage cage = arm_cage();
+  aim_limit_at_vertices(cage, 3);
+  QuadCage surface = refine(cage);
+  surface.positions = limit_positions(surface);
+  lay_on_sections(surface.positions);
+  for (Vec3& p : surface.positions) p = with_hand_relief(p, wrist_x);
+
+  Primitive skin;
+  for (Vec3& p : surface.positions) {
+    skin.influences.add_vertex(influences_at(p));
+    p = fitted(p, shape);
+  }
+  skin.positions = surface.positions;
+  skin.normals = vertex_normals(surface);
+  skin.indices = triangles(surface);
+  skin.material = 0;
+
+  Model model;
+  model.file = "arm";
+  add_skeleton(model, shape);
+  Node body;
+  body.name = "arm";
+  body.mesh = 0;
+  body.skin = 0;
+  model.roots.push_back(static_cast<int>(model.nodes.size()));
+  model.nodes.push_back(body);
+  model.meshes.push_back({.name = "arm", .primitives = {skin}, .morph_weights = {}});
+  model.materials.push_back({.name = "skin", .base_colour = shape.base_colour});
+  return model;
+}
+
+}  // namespace sinew

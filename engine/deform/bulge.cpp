@@ -1,0 +1,83 @@
+#include "engine/deform/bulge.h"
+
+#include <map>
+
+namespace sinew {
+namespace {
+
+/// Height of one muscle over one vertex, and how it changes over the rest surface.
+struct Swelling {
+  double height = 0.0;
+  Vec3 gradient{0.0};  ///< rest space
+};
+
+Swelling swelling(const ActiveMuscle& active, const RegionVertex& v, BulgeMode mode) {
+  const Muscle& m = active.muscle;
+  const ProjectionPlane& plane = active.region.plane;
+  const double amplitude = active.activation * m.peak;
+  const double u = v.x / m.sigma.x, w = v.y / m.sigma.y;
+  const double g = std::exp(-0.5 * (u * u + w * w));
+  double fade = 1.0, fade_slope = 0.0;
+  if (mode == BulgeMode::on) {
+    const double q = (m.to - m.from) / 4.0;
+    const double begin = (v.t - m.from) / q, end = (m.to - v.t) / q;
+    const double held = smoothstep01((m.spread - v.angle) / 20.0) * smoothstep01((v.share - 0.5) / 0.25);
+    fade = smoothstep01(begin) * smoothstep01(end) * held;
+    fade_slope = (smoothstep01_slope(begin) * smoothstep01(end) - smoothstep01(begin) * smoothstep01_slope(end)) / q * held;
+  }
+  const double along = -v.x / (m.sigma.x * m.sigma.x) * g * fade + g * fade_slope / plane.length;
+  const double across = -v.y / (m.sigma.y * m.sigma.y) * g * fade;
+  return {amplitude * g * fade, amplitude * (along * plane.axis + across * plane.side)};
+}
+
+/// Two directions with t1 x t2 = n.
+std::pair<Vec3, Vec3> tangents(const Vec3& n) {
+  const Vec3 helper = std::abs(n.x) < 0.5 * glm::length(n) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 t1 = glm::normalize(glm::cross(helper, n));
+  return {t1, glm::cross(n, t1)};
+}
+
+}  // namespace
+
+Result<void> BulgeJob::validate() const {
+  const std::size_t vertices = positions.size();
+  const std::pair<const char*, std::size_t> spans[] = {{"bind normals", bind_normals.size()},
+                                                       {"rest blend", rest_blend.size()},
+                                                       {"blend", blend.size()},
+                                                       {"normals", normals.size()},
+                                                       {"heights", heights.size()}};
+  for (const auto& [what, size] : spans)
+    if (size != vertices) return bad_input("bulge: {} has {} entries, expected {} (one a vertex)", what, size, vertices);
+  for (const ActiveMuscle& active : muscles)
+    for (const RegionVertex& v : active.region.vertices)
+      if (v.vertex >= vertices)
+        return bad_input("bulge: muscle \"{}\" names vertex {}, there are {}", active.muscle.name, v.vertex, vertices);
+  return {};
+}
+
+void BulgeJob::run() const {
+  std::fill(heights.begin(), heights.end(), 0.0);
+  if (mode == BulgeMode::off) return;
+  std::map<std::uint32_t, Swelling> swollen;
+  for (const ActiveMuscle& active : muscles) {
+    if (active.activation == 0.0) continue;
+    for (const RegionVertex& v : active.region.vertices) {
+      const Swelling s = swelling(active, v, mode);
+      Swelling& sum = swollen[v.vertex];
+      sum.height += s.height;
+      sum.gradient += s.gradient;
+    }
+  }
+  for (const auto& [v, s] : swollen) {
+    const Vec3 outward = normals[v];
+    const auto [t1, t2] = tangents(bind_normals[v]);
+    const Vec3 swollen_t1 = blend[v] * t1 + glm::dot(s.gradient, rest_blend[v] * t1) * outward;
+    const Vec3 swollen_t2 = blend[v] * t2 + glm::dot(s.gradient, rest_blend[v] * t2) * outward;
+    const Vec3 normal = unit_or(glm::cross(swollen_t1, swollen_t2), outward);
+    normals[v] = glm::dot(normal, outward) < 0.0 ? -normal : normal;
+    positions[v] += s.height * outward;
+    heights[v] = s.height;
+  }
+}
+
+}  // namespace sinew

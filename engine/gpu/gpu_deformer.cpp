@@ -1,0 +1,253 @@
+#include "engine/gpu/gpu_deformer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "engine/gpu/gpu_deformer_impl.h"
+#include "engine/gpu/shader_code.h"
+
+namespace sinew {
+namespace {
+
+constexpr vk::DeviceSize vertex_bytes = layout::words_per_vertex * sizeof(Word);
+constexpr vk::DeviceSize output_bytes = layout::words_per_output * sizeof(Word);
+/// A whole number of these vertices keeps every offset aligned to what any device may ask of a buffer offset.
+constexpr std::size_t chunk_granularity = 256;
+constexpr std::size_t texel_bytes = sizeof(Word);
+
+struct Binding {
+  uint32_t number;
+  const Buffer* buffer;
+  const vk::raii::BufferView* view;
+};
+
+std::array<Binding, 4> shared_bindings(const GpuDeformer::Impl& d) {
+  return {Binding{layout::binding_details, &d.detail_words, &d.detail_view},
+          Binding{layout::binding_palette, &d.palette, &d.palette_view},
+          Binding{layout::binding_morph_weights, &d.morph_weights, &d.morph_view},
+          Binding{layout::binding_muscles, &d.muscle_words, &d.muscle_view}};
+}
+
+bool texel_buffers_fit(const VulkanDevice& vulkan, const PackedCharacter& packed, const CharacterMesh& mesh) {
+  const std::size_t limit = vulkan.limits.maxTexelBufferElements;
+  return packed.details.size() <= limit && mesh.palette.size() * layout::words_per_joint <= limit &&
+         mesh.morph_slots.size() <= limit && limit >= chunk_granularity * layout::words_per_vertex;
+}
+
+/// Vertices that one dispatch may cover.
+std::size_t chunk_size(const VulkanDevice& vulkan, bool texel, std::size_t largest_range) {
+  std::size_t range = vulkan.limits.maxStorageBufferRange;
+  if (largest_range != 0) range = std::min(range, largest_range);
+  std::size_t vertices = range / std::max(output_bytes, texel ? output_bytes : vertex_bytes);
+  if (texel) vertices = std::min(vertices, vulkan.limits.maxTexelBufferElements / std::size_t{layout::words_per_vertex});
+  vertices = std::min(vertices, vulkan.limits.maxComputeWorkGroupCount[0] * std::size_t{layout::workgroup_size});
+  return std::max(vertices / chunk_granularity, std::size_t{1}) * chunk_granularity;
+}
+
+void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const CharacterMesh& mesh) {
+  using Usage = vk::BufferUsageFlagBits;
+  VulkanDevice& vulkan = *d.vulkan;
+  const auto usage = d.texel ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer;
+  d.vertex_words = vulkan.create_buffer(packed.vertices.size() * sizeof(Word), usage, MemoryUse::device);
+  d.detail_words = vulkan.create_buffer(packed.details.size() * sizeof(Word), usage, MemoryUse::device);
+  vulkan.upload(d.vertex_words, std::as_bytes(std::span(packed.vertices)));
+  vulkan.upload(d.detail_words, std::as_bytes(std::span(packed.details)));
+  const std::size_t joints = mesh.palette.size() * layout::words_per_joint;
+  d.palette = vulkan.create_buffer(joints * sizeof(Word), usage, MemoryUse::upload);
+  d.morph_weights = vulkan.create_buffer(mesh.morph_slots.size() * sizeof(float), usage, MemoryUse::upload);
+  d.muscle_words = vulkan.create_buffer(d.muscles.size() * sizeof(layout::MuscleWords), usage, MemoryUse::upload);
+  const auto output_usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eTransferSrc;
+  d.output = vulkan.create_buffer(d.vertices * output_bytes, output_usage, MemoryUse::device);
+}
+
+void create_views(GpuDeformer::Impl& d) {
+  const auto view = [&](const Buffer& buffer, vk::Format format) {
+    return vk::raii::BufferView(d.vulkan->device,
+                                vk::BufferViewCreateInfo({}, *buffer.buffer, format, 0, VK_WHOLE_SIZE));
+  };
+  d.detail_view = view(d.detail_words, vk::Format::eR32G32B32A32Uint);
+  d.palette_view = view(d.palette, vk::Format::eR32G32B32A32Sfloat);
+  d.morph_view = view(d.morph_weights, vk::Format::eR32Sfloat);
+  d.muscle_view = view(d.muscle_words, vk::Format::eR32G32B32A32Sfloat);
+}
+
+void create_layouts(GpuDeformer::Impl& d, std::size_t chunks) {
+  const auto input = d.texel ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eStorageBuffer;
+  std::vector<vk::DescriptorSetLayoutBinding> bindings;
+  for (uint32_t number = 0; number <= layout::binding_output; ++number)
+    bindings.emplace_back(number, number == layout::binding_output ? vk::DescriptorType::eStorageBuffer : input, 1,
+                          vk::ShaderStageFlagBits::eCompute);
+  const vk::raii::Device& device = d.vulkan->device;
+  d.set_layout = vk::raii::DescriptorSetLayout(device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
+  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::DeformPush));
+  d.pipeline_layout = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *d.set_layout, push));
+  const auto sets = static_cast<uint32_t>(chunks);
+  const std::array sizes{vk::DescriptorPoolSize(input, sets * layout::binding_output),
+                         vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, sets)};
+  d.descriptor_pool = vk::raii::DescriptorPool(device, vk::DescriptorPoolCreateInfo({}, sets, sizes));
+}
+
+void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const GpuDeformerOptions& options) {
+  const std::array<uint32_t, 4> values{static_cast<uint32_t>(options.deformer), static_cast<uint32_t>(options.bulge),
+                                       packed.has_morphs, packed.has_extra_influences};
+  const std::array entries{vk::SpecializationMapEntry(layout::constant_deformer, 0, 4),
+                           vk::SpecializationMapEntry(layout::constant_bulge, 4, 4),
+                           vk::SpecializationMapEntry(layout::constant_has_morphs, 8, 4),
+                           vk::SpecializationMapEntry(layout::constant_has_extra_influences, 12, 4)};
+  const vk::SpecializationInfo special(entries.size(), entries.data(), sizeof(values), values.data());
+  const Shader full = d.texel ? Shader::deform_texel : Shader::deform_storage;
+  const Shader bare = d.texel ? Shader::deform_bare_texel : Shader::deform_bare_storage;
+  const vk::raii::ShaderModule module = d.vulkan->shader(shader_code(options.bare ? bare : full));
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                options.bare ? nullptr : &special);
+  d.pipeline = vk::raii::Pipeline(d.vulkan->device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *d.pipeline_layout));
+}
+
+/// Binds one chunk's part of the vertices and of the output, and all of the rest.
+void write_set(const GpuDeformer::Impl& d, const GpuDeformer::Impl::Chunk& chunk, std::size_t first) {
+  std::vector<vk::DescriptorBufferInfo> buffers;
+  buffers.reserve(layout::binding_output + 1);
+  std::vector<vk::WriteDescriptorSet> writes;
+  const auto bind_buffer = [&](uint32_t number, const Buffer& buffer, vk::DeviceSize offset, vk::DeviceSize size) {
+    buffers.emplace_back(*buffer.buffer, offset, size);
+    writes.emplace_back(chunk.set, number, 0, 1, vk::DescriptorType::eStorageBuffer, nullptr, &buffers.back());
+  };
+  const auto bind_view = [&](uint32_t number, const vk::raii::BufferView& view) {
+    vk::WriteDescriptorSet& write =
+        writes.emplace_back(chunk.set, number, 0, 1, vk::DescriptorType::eUniformTexelBuffer, nullptr, nullptr);
+    write.pTexelBufferView = &*view;
+  };
+  if (d.texel) {
+    bind_view(layout::binding_vertices, chunk.vertex_view);
+  } else {
+    bind_buffer(layout::binding_vertices, d.vertex_words, first * vertex_bytes, chunk.vertices * vertex_bytes);
+  }
+  for (const Binding& binding : shared_bindings(d)) {
+    if (d.texel) {
+      bind_view(binding.number, *binding.view);
+    } else {
+      bind_buffer(binding.number, *binding.buffer, 0, VK_WHOLE_SIZE);
+    }
+  }
+  bind_buffer(layout::binding_output, d.output, first * output_bytes, chunk.vertices * output_bytes);
+  d.vulkan->device.updateDescriptorSets(writes, {});
+}
+
+void create_chunks(GpuDeformer::Impl& d, std::size_t size) {
+  for (std::size_t first = 0; first < d.vertices; first += size) {
+    GpuDeformer::Impl::Chunk& chunk = d.chunks.emplace_back();
+    chunk.vertices = static_cast<uint32_t>(std::min(size, d.vertices - first));
+    if (d.texel)
+      chunk.vertex_view = vk::raii::BufferView(
+          d.vulkan->device, vk::BufferViewCreateInfo({}, *d.vertex_words.buffer, vk::Format::eR32G32B32A32Uint,
+                                                     first * vertex_bytes, chunk.vertices * vertex_bytes));
+    const vk::DescriptorSetAllocateInfo allocate(*d.descriptor_pool, *d.set_layout);
+    // The pool owns the sets and frees them with itself.
+    chunk.set = (*d.vulkan->device).allocateDescriptorSets(allocate, *d.vulkan->device.getDispatcher()).front();
+    write_set(d, chunk, first);
+  }
+}
+
+/// Storage ranges that are not split into chunks must fit the device whole.
+Result<void> check_ranges(const VulkanDevice& vulkan, const PackedCharacter& packed, const CharacterMesh& mesh) {
+  const std::size_t limit = vulkan.limits.maxStorageBufferRange;
+  const std::size_t details = packed.details.size() * sizeof(Word);
+  const std::size_t palette = mesh.palette.size() * layout::words_per_joint * sizeof(Word);
+  if (details <= limit && palette <= limit) return {};
+  return bad_input("the character's morph targets and joints need {} bytes in one range, the device allows {}",
+                   std::max(details, palette), limit);
+}
+
+}  // namespace
+
+void GpuDeformer::Impl::record(const vk::raii::CommandBuffer& commands) const {
+  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+  for (const Chunk& chunk : chunks) {
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *pipeline_layout, 0, chunk.set, {});
+    commands.pushConstants<layout::DeformPush>(*pipeline_layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                               layout::DeformPush{chunk.vertices});
+    commands.dispatch((chunk.vertices + layout::workgroup_size - 1) / layout::workgroup_size, 1, 1);
+  }
+}
+
+void deform_barrier(const vk::raii::CommandBuffer& commands) {
+  using Stage = vk::PipelineStageFlagBits2;
+  using Access = vk::AccessFlagBits2;
+  const vk::MemoryBarrier2 barrier(Stage::eComputeShader, Access::eShaderStorageWrite,
+                                   Stage::eVertexAttributeInput | Stage::eCopy,
+                                   Access::eVertexAttributeRead | Access::eTransferRead);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, barrier));
+}
+
+GpuDeformer::GpuDeformer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+GpuDeformer::GpuDeformer(GpuDeformer&&) noexcept = default;
+GpuDeformer& GpuDeformer::operator=(GpuDeformer&&) noexcept = default;
+GpuDeformer::~GpuDeformer() = default;
+
+std::size_t GpuDeformer::vertices() const { return impl_->vertices; }
+std::size_t GpuDeformer::dispatches() const { return impl_->chunks.size(); }
+BufferLayout GpuDeformer::layout() const { return impl_->texel ? BufferLayout::texel : BufferLayout::storage; }
+
+Result<GpuDeformer> GpuDeformer::create(Device& device, const CharacterMesh& mesh, const RestShape& rest,
+                                        std::span<const PlacedMuscle> muscles, const GpuDeformerOptions& options,
+                                        std::span<const RigidDuplicate> duplicates) {
+  auto packed = pack_character(mesh, rest, muscles, duplicates);
+  if (!packed) return pass_on(std::move(packed));
+  VulkanDevice& vulkan = device.vulkan();
+  const bool fits = texel_buffers_fit(vulkan, *packed, mesh);
+  auto impl = std::make_unique<Impl>();
+  impl->vulkan = &vulkan;
+  impl->vertices = packed->vertex_count();
+  impl->muscles.assign(muscles.begin(), muscles.end());
+  impl->texel = options.layout == BufferLayout::texel ||
+                (options.layout == BufferLayout::automatic && vulkan.info.cpu && fits);
+  if (!impl->texel)
+    if (auto ok = check_ranges(vulkan, *packed, mesh); !ok) return pass_on(std::move(ok));
+  const std::size_t size = chunk_size(vulkan, impl->texel, options.largest_range);
+  auto created = vulkan_call("uploading the character", [&] {
+    create_buffers(*impl, *packed, mesh);
+    if (impl->texel) create_views(*impl);
+    create_layouts(*impl, std::max<std::size_t>((impl->vertices + size - 1) / size, 1));
+    create_pipeline(*impl, *packed, options);
+    create_chunks(*impl, size);
+  });
+  if (!created) return pass_on(std::move(created));
+  return GpuDeformer(std::move(impl));
+}
+
+void GpuDeformer::set_state(const GpuDeformState& state) {
+  pack_palette(state.palette, impl_->palette.as<Vec4f>());
+  const std::span<float> weights = impl_->morph_weights.as<float>();
+  for (std::size_t i = 0; i < state.morph_weights.size(); ++i) weights[i] = static_cast<float>(state.morph_weights[i]);
+  const std::span<layout::MuscleWords> words = impl_->muscle_words.as<layout::MuscleWords>();
+  for (std::size_t i = 0; i < impl_->muscles.size(); ++i) words[i] = pack_muscle(impl_->muscles[i], state.activations[i]);
+}
+
+Result<void> GpuDeformer::run() {
+  return vulkan_call("deforming", [&] {
+    impl_->vulkan->run([&](vk::raii::CommandBuffer& commands) { impl_->record(commands); });
+  });
+}
+
+Result<std::vector<Vec4f>> GpuDeformer::read_back() {
+  return vulkan_call("reading vertices back", [&] {
+    Impl& d = *impl_;
+    const vk::DeviceSize size = d.vertices * output_bytes;
+    if (!*d.readback.buffer)
+      d.readback = d.vulkan->create_buffer(size, vk::BufferUsageFlagBits::eTransferDst, MemoryUse::readback);
+    std::vector<Vec4f> words(d.vertices * layout::words_per_output);
+    if (words.empty()) return words;
+    d.vulkan->run([&](vk::raii::CommandBuffer& commands) {
+      deform_barrier(commands);
+      commands.copyBuffer(*d.output.buffer, *d.readback.buffer, vk::BufferCopy(0, 0, size));
+      const vk::MemoryBarrier2 to_host(vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferWrite,
+                                       vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
+      commands.pipelineBarrier2(vk::DependencyInfo({}, to_host));
+    });
+    std::memcpy(words.data(), d.readback.mapped, size);
+    return words;
+  });
+}
+
+}  // namespace sinew

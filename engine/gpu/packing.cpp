@@ -1,0 +1,143 @@
+#include "engine/gpu/packing.h"
+
+#include <bit>
+#include <limits>
+
+namespace sinew {
+namespace {
+
+std::uint32_t bits(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
+
+Word word(const Vec3& v, std::uint32_t w) { return {bits(v.x), bits(v.y), bits(v.z), w}; }
+
+std::uint32_t joint_pair(std::uint32_t low, std::uint32_t high) { return low | high << 16; }
+
+/// The influences of one vertex, padded to eight with joint 0 at weight 0.
+struct PaddedRun {
+  std::uint32_t joint[max_influences] = {};
+  double weight[max_influences] = {};
+  std::size_t count = 0;
+};
+
+PaddedRun padded_run(const Influences& influences, std::size_t v) {
+  PaddedRun run;
+  for (std::uint32_t i = influences.first[v]; i < influences.first[v + 1]; ++i, ++run.count) {
+    run.joint[run.count] = influences.entries[i].joint;
+    run.weight[run.count] = influences.entries[i].weight;
+  }
+  return run;
+}
+
+/// One muscle's entry for one vertex of its region.
+struct RegionEntry {
+  std::uint32_t muscle = 0;
+  const RegionVertex* place = nullptr;
+};
+
+std::vector<std::vector<RegionEntry>> regions_by_vertex(std::size_t vertices, std::span<const PlacedMuscle> muscles) {
+  std::vector<std::vector<RegionEntry>> entries(vertices);
+  for (std::size_t m = 0; m < muscles.size(); ++m)
+    for (const RegionVertex& place : muscles[m].region.vertices)
+      entries[place.vertex].push_back({static_cast<std::uint32_t>(m), &place});
+  return entries;
+}
+
+class Packer {
+ public:
+  Packer(const CharacterMesh& mesh, const RestShape& rest, std::span<const PlacedMuscle> muscles)
+      : mesh_(mesh), rest_(rest), muscles_(muscles), regions_(regions_by_vertex(mesh.vertices(), muscles)) {
+    packed_.details.push_back({});
+  }
+
+  void add(std::size_t v, const PaddedRun& run) {
+    const std::uint32_t details = add_details(v, run);
+    packed_.vertices.push_back(word(mesh_.positions[v], details));
+    packed_.vertices.push_back(word(mesh_.normals[v], bits(run.weight[1])));
+    packed_.vertices.push_back({joint_pair(run.joint[0], run.joint[1]), joint_pair(run.joint[2], run.joint[3]),
+                                bits(run.weight[2]), bits(run.weight[3])});
+  }
+
+  PackedCharacter finish() { return std::move(packed_); }
+
+ private:
+  /// Index of the vertex's header, 0 where it has no details.
+  std::uint32_t add_details(std::size_t v, const PaddedRun& run) {
+    const std::uint32_t morphs = mesh_.morph_first[v + 1] - mesh_.morph_first[v];
+    const std::uint32_t extra = run.count > 4 ? 1 : 0;
+    const auto regions = static_cast<std::uint32_t>(regions_[v].size());
+    if (morphs == 0 && extra == 0 && regions == 0) return 0;
+    const auto header = static_cast<std::uint32_t>(packed_.details.size());
+    packed_.details.push_back({morphs, extra, regions, 0});
+    for (std::uint32_t i = mesh_.morph_first[v]; i < mesh_.morph_first[v + 1]; ++i) add_morph(mesh_.morph_deltas[i]);
+    if (extra != 0) add_extra(run);
+    for (const RegionEntry& entry : regions_[v]) add_region(v, entry);
+    packed_.has_morphs |= morphs != 0;
+    packed_.has_extra_influences |= extra != 0;
+    return header;
+  }
+
+  void add_morph(const MorphDelta& delta) {
+    packed_.details.push_back(word(delta.position, delta.slot));
+    packed_.details.push_back(word(delta.normal, 0));
+  }
+
+  void add_extra(const PaddedRun& run) {
+    packed_.details.push_back({joint_pair(run.joint[4], run.joint[5]), joint_pair(run.joint[6], run.joint[7]), 0, 0});
+    packed_.details.push_back({bits(run.weight[4]), bits(run.weight[5]), bits(run.weight[6]), bits(run.weight[7])});
+  }
+
+  void add_region(std::size_t v, const RegionEntry& entry) {
+    const Muscle& muscle = muscles_[entry.muscle].muscle;
+    const ProjectionPlane& plane = muscles_[entry.muscle].region.plane;
+    const RegionVertex& r = *entry.place;
+    const double held = smoothstep01((muscle.spread - r.angle) / 20.0) * smoothstep01((r.share - 0.5) / 0.25);
+    const Mat3 to_bind = glm::transpose(rest_.blend[v]);
+    packed_.details.push_back({bits(r.x), bits(r.y), bits(r.t), bits(held)});
+    packed_.details.push_back(word(to_bind * plane.axis, entry.muscle));
+    packed_.details.push_back(word(to_bind * plane.side, 0));
+  }
+
+  const CharacterMesh& mesh_;
+  const RestShape& rest_;
+  std::span<const PlacedMuscle> muscles_;
+  std::vector<std::vector<RegionEntry>> regions_;
+  PackedCharacter packed_;
+};
+
+}  // namespace
+
+Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShape& rest,
+                                       std::span<const PlacedMuscle> muscles,
+                                       std::span<const RigidDuplicate> duplicates) {
+  if (mesh.palette.size() > 65536)
+    return bad_input("the character has {} joints over all skins; 65,536 is the most", mesh.palette.size());
+  Packer packer(mesh, rest, muscles);
+  for (std::size_t v = 0; v < mesh.vertices(); ++v) packer.add(v, padded_run(mesh.influences, v));
+  for (const RigidDuplicate& duplicate : duplicates) {
+    PaddedRun run;
+    run.joint[0] = duplicate.joint;
+    run.weight[0] = 1.0;
+    run.count = 1;
+    packer.add(duplicate.vertex, run);
+  }
+  PackedCharacter packed = packer.finish();
+  if (packed.details.size() > std::numeric_limits<std::uint32_t>::max())
+    return bad_input("the character's morph targets need {} words, more than can be addressed", packed.details.size());
+  return packed;
+}
+
+void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words) {
+  for (std::size_t i = 0; i < palette.size(); ++i)
+    for (std::size_t row = 0; row < 3; ++row) words[i * layout::words_per_joint + row] = Vec4f(palette[i].row[row]);
+}
+
+layout::MuscleWords pack_muscle(const PlacedMuscle& placed, double activation) {
+  const Muscle& m = placed.muscle;
+  const double q = (m.to - m.from) / 4.0;
+  layout::MuscleWords words;
+  words.gauss = Vec4f(Vec4(1.0 / (m.sigma.x * m.sigma.x), 1.0 / (m.sigma.y * m.sigma.y), activation * m.peak, 0.0));
+  words.fade = Vec4f(Vec4(m.from, m.to, 1.0 / q, 1.0 / placed.region.plane.length));
+  return words;
+}
+
+}  // namespace sinew

@@ -1,0 +1,160 @@
+#include <system_error>
+
+#include "engine/io/json_writer.h"
+#include "engine/io/scene_file.h"
+#include "engine/model/scene_words.h"
+
+namespace sinew {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+template <class Enum>
+const std::string& word(Enum value, std::span<const std::string> words) {
+  return words[static_cast<std::size_t>(value)];
+}
+
+ordered_json to_json(double x) { return json_number(x); }
+ordered_json to_json(const std::string& text) { return text; }
+ordered_json to_json(const Vec2& v) { return ordered_json::array({json_number(v.x), json_number(v.y)}); }
+ordered_json to_json(const Vec3& v) {
+  return ordered_json::array({json_number(v.x), json_number(v.y), json_number(v.z)});
+}
+ordered_json to_json(const std::vector<double>& numbers) {
+  ordered_json list = ordered_json::array();
+  for (const double x : numbers) list.push_back(json_number(x));
+  return list;
+}
+
+template <class T>
+ordered_json key_to_json(const Key<T>& key) {
+  return ordered_json::array({json_number(key.frame), to_json(key.value)});
+}
+
+ordered_json key_to_json(const Key<ExpressionWeight>& key) {
+  return ordered_json::array(
+      {json_number(key.frame), word(key.value.expression, expression_names()), json_number(key.value.strength)});
+}
+
+template <class T>
+ordered_json keys_to_json(const Keyed<T>& keyed) {
+  ordered_json list = ordered_json::array();
+  for (const Key<T>& key : keyed.keys) list.push_back(key_to_json(key));
+  if (keyed.ease == Ease::linear) return list;
+  return {{"ease", word(keyed.ease, ease_names())}, {"keys", std::move(list)}};
+}
+
+/// A single value where one says it all, else keys.
+template <class T>
+ordered_json keyed_to_json(const Keyed<T>& keyed) {
+  return keyed == Keyed<T>::constant(keyed.keys.front().value) ? to_json(keyed.keys.front().value)
+                                                               : keys_to_json(keyed);
+}
+
+/// Relative to `folder` where a way there can be told without asking the disk, else absolute, else as it is.
+std::string path_text(const fs::path& path, const fs::path& folder) {
+  if (is_built_in_model(path.string())) return path.string();
+  std::error_code failed;
+  const fs::path base = folder.empty() ? fs::path(".") : folder.lexically_normal();
+  fs::path relative = path.lexically_normal().lexically_relative(base);
+  if (!relative.empty()) return relative.generic_string();
+  const fs::path absolute = fs::absolute(path, failed);
+  if (failed) return path.generic_string();
+  relative = absolute.lexically_normal().lexically_relative(fs::absolute(base, failed).lexically_normal());
+  return (failed || relative.empty() ? absolute : relative).generic_string();
+}
+
+ordered_json clip_to_json(const ClipChoice& clip) {
+  if (const int* index = std::get_if<int>(&clip)) return *index;
+  if (const std::string* name = std::get_if<std::string>(&clip)) return *name;
+  return "none";
+}
+
+std::string motion_text(const MotionChoice& motion, const fs::path& folder) {
+  if (const LibraryClip* clip = std::get_if<LibraryClip>(&motion)) return clip->name;
+  const std::string path = path_text(std::get<fs::path>(motion), folder);
+  // Without a slash a file's name might read as that of a clip.
+  return path.find('/') == std::string::npos ? "./" + path : path;
+}
+
+template <class T>
+void write_if(ordered_json& object, const char* key, const std::optional<T>& value) {
+  if (value) object[key] = to_json(*value);
+}
+
+ordered_json muscle_to_json(const MuscleSpec& muscle) {
+  ordered_json object = ordered_json::object();
+  if (muscle.preset) object["preset"] = word(*muscle.preset, muscle_preset_names());
+  if (muscle.side) object["side"] = word(*muscle.side, side_names());
+  write_if(object, "name", muscle.name);
+  write_if(object, "bone", muscle.bone);
+  write_if(object, "child", muscle.child);
+  write_if(object, "driver", muscle.driver);
+  write_if(object, "tip", muscle.tip);
+  write_if(object, "facing", muscle.facing);
+  write_if(object, "from", muscle.from);
+  write_if(object, "to", muscle.to);
+  write_if(object, "spread", muscle.spread);
+  write_if(object, "peak", muscle.peak);
+  write_if(object, "sigma", muscle.sigma);
+  write_if(object, "rest_angle", muscle.rest_angle);
+  write_if(object, "reference_angle", muscle.reference_angle);
+  return object;
+}
+
+template <class T>
+ordered_json map_to_json(const std::map<std::string, Keyed<T>>& map) {
+  ordered_json object = ordered_json::object();
+  for (const auto& [name, keyed] : map) object[name] = keys_to_json(keyed);
+  return object;
+}
+
+ordered_json emotion_to_json(const std::vector<EmotionCue>& cues) {
+  ordered_json list = ordered_json::array();
+  for (const EmotionCue& cue : cues)
+    list.push_back({json_number(cue.frame), word(cue.emotion, expression_names()), json_number(cue.strength)});
+  return list;
+}
+
+ordered_json character_to_json(const Character& character, const fs::path& folder) {
+  const Character defaults;
+  ordered_json object{{"model", path_text(character.model, folder)}};
+  if (character.clip) object["clip"] = clip_to_json(*character.clip);
+  if (character.motion) object["motion"] = motion_text(*character.motion, folder);
+  if (character.position != defaults.position) object["position"] = keyed_to_json(character.position);
+  if (character.turn != defaults.turn) object["turn"] = keyed_to_json(character.turn);
+  if (character.count != defaults.count) object["count"] = character.count;
+  for (const MuscleSpec& muscle : character.muscles) object["muscles"].push_back(muscle_to_json(muscle));
+  if (!character.keys.empty()) object["keys"] = map_to_json(character.keys);
+  if (character.expressions) object["expressions"] = keys_to_json(*character.expressions);
+  if (!character.regions.empty()) object["regions"] = map_to_json(character.regions);
+  if (!character.emotion.empty()) object["emotion"] = emotion_to_json(character.emotion);
+  return object;
+}
+
+ordered_json camera_to_json(const Camera& camera) {
+  ordered_json object{{"view", word(camera.view, view_names())}};
+  if (camera.orbit != Camera{}.orbit) object["orbit"] = keyed_to_json(camera.orbit);
+  if (camera.target) object["target"] = keyed_to_json(*camera.target);
+  if (camera.distance) object["distance"] = keyed_to_json(*camera.distance);
+  return object;
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene, const fs::path& folder) {
+  ordered_json document{{"sinew", 1}, {"fps", json_number(scene.fps)}};
+  if (scene.frames) document["frames"] = ordered_json::array({scene.frames->first, scene.frames->last});
+  if (scene.library) document["library"] = path_text(*scene.library, folder);
+  document["characters"] = ordered_json::array();
+  for (const Character& character : scene.characters)
+    document["characters"].push_back(character_to_json(character, folder));
+  if (scene.camera != Camera{}) document["camera"] = camera_to_json(scene.camera);
+  if (scene.look != Look{})
+    document["look"] = {{"shading", word(scene.look.shading, shading_names())},
+                        {"background", colour_text(scene.look.background)}};
+  return readable_json(document);
+}
+
+}  // namespace sinew

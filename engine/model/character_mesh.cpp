@@ -1,0 +1,134 @@
+#include "engine/model/character_mesh.h"
+
+#include <map>
+
+namespace sinew {
+namespace {
+
+void append_subtree(const Model& model, int root, std::vector<int>& order) {
+  std::vector<int> pending{root};
+  while (!pending.empty()) {
+    const int node = pending.back();
+    pending.pop_back();
+    order.push_back(node);
+    const std::vector<int>& children = model.nodes[node].children;
+    pending.insert(pending.end(), children.rbegin(), children.rend());
+  }
+}
+
+/// Builds a CharacterMesh primitive by primitive.
+class Gatherer {
+ public:
+  explicit Gatherer(const Model& model) : model_(model) { result_.morph_first.push_back(0); }
+
+  void add_node(int node) {
+    const Node& drawn = model_.nodes[node];
+    if (drawn.mesh < 0) return;
+    const Mesh& mesh = model_.meshes[drawn.mesh];
+    const auto slot = static_cast<std::uint32_t>(result_.morph_slots.size());
+    if (!mesh.primitives.empty())
+      for (std::size_t i = 0; i < mesh.primitives.front().morph_targets.size(); ++i)
+        result_.morph_slots.push_back({node, i});
+    for (const Primitive& primitive : mesh.primitives) add_primitive(node, mesh, primitive, slot);
+  }
+
+  CharacterMesh finish() { return std::move(result_); }
+
+ private:
+  void add_primitive(int node, const Mesh& mesh, const Primitive& primitive, std::uint32_t first_slot) {
+    MeshPart part;
+    part.mesh = mesh.name;
+    part.node = node;
+    part.material = primitive.material;
+    part.first_vertex = static_cast<std::uint32_t>(result_.positions.size());
+    part.vertex_count = static_cast<std::uint32_t>(primitive.positions.size());
+    part.first_index = static_cast<std::uint32_t>(result_.triangles.size());
+    part.index_count = static_cast<std::uint32_t>(primitive.indices.size());
+    result_.parts.push_back(part);
+
+    append(result_.positions, primitive.positions);
+    append(result_.normals, primitive.normals);
+    append(result_.texture_coordinates, primitive.texture_coordinates);
+    result_.texture_coordinates.resize(result_.positions.size(), Vec2(0.0));
+    for (std::uint32_t index : primitive.indices) result_.triangles.push_back(part.first_vertex + index);
+    add_influences(node, primitive);
+    add_morphs(primitive, first_slot);
+  }
+
+  void add_influences(int node, const Primitive& primitive) {
+    const int skin = model_.nodes[node].skin;
+    const bool skinned = skin >= 0 && primitive.influences.vertices() == primitive.positions.size();
+    const Influences& source = primitive.influences;
+    for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+      std::vector<Influence> run;
+      if (skinned)
+        for (std::uint32_t i = source.first[v]; i < source.first[v + 1]; ++i)
+          run.push_back({skin_palette(skin) + source.entries[i].joint, source.entries[i].weight});
+      if (run.empty()) run.push_back({rigid_palette(node), 1.0});
+      result_.influences.add_vertex(run);
+    }
+  }
+
+  void add_morphs(const Primitive& primitive, std::uint32_t first_slot) {
+    for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+      for (std::size_t i = 0; i < primitive.morph_targets.size(); ++i) {
+        const MorphTarget& target = primitive.morph_targets[i];
+        MorphDelta delta{first_slot + static_cast<std::uint32_t>(i)};
+        if (!target.positions.empty()) delta.position = target.positions[v];
+        if (!target.normals.empty()) delta.normal = target.normals[v];
+        if (delta.position != Vec3(0.0) || delta.normal != Vec3(0.0)) result_.morph_deltas.push_back(delta);
+      }
+      result_.morph_first.push_back(static_cast<std::uint32_t>(result_.morph_deltas.size()));
+    }
+  }
+
+  /// Palette index of the skin's first joint.
+  std::uint32_t skin_palette(int skin) {
+    const auto [found, added] = skins_.try_emplace(skin, static_cast<std::uint32_t>(result_.palette.size()));
+    if (added) {
+      const Skin& source = model_.skins[skin];
+      for (std::size_t i = 0; i < source.joints.size(); ++i)
+        result_.palette.push_back({source.joints[i], source.inverse_bind[i]});
+    }
+    return found->second;
+  }
+
+  /// Palette index of a node that carries its vertices as they are.
+  std::uint32_t rigid_palette(int node) {
+    const auto [found, added] = rigid_.try_emplace(node, static_cast<std::uint32_t>(result_.palette.size()));
+    if (added) result_.palette.push_back({node, Mat4(1.0)});
+    return found->second;
+  }
+
+  template <class T>
+  static void append(std::vector<T>& to, const std::vector<T>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  }
+
+  const Model& model_;
+  CharacterMesh result_;
+  std::map<int, std::uint32_t> skins_, rigid_;
+};
+
+}  // namespace
+
+std::vector<int> hierarchy_order(const Model& model) {
+  std::vector<int> order;
+  order.reserve(model.nodes.size());
+  for (int root : model.roots) append_subtree(model, root, order);
+  std::vector<bool> seen(model.nodes.size());
+  for (int node : order) seen[node] = true;
+  for (std::size_t node = 0; node < model.nodes.size(); ++node)
+    if (model.nodes[node].parent < 0 && !seen[node]) append_subtree(model, static_cast<int>(node), order);
+  return order;
+}
+
+CharacterMesh character_mesh(const Model& model) {
+  Gatherer gatherer(model);
+  std::vector<int> drawn;
+  for (int root : model.roots) append_subtree(model, root, drawn);
+  for (int node : drawn) gatherer.add_node(node);
+  return gatherer.finish();
+}
+
+}  // namespace sinew

@@ -1,0 +1,134 @@
+#pragma once
+/// A scene: which models, muscles, expressions, motions, camera and look to use over which time (product.md, "Scene
+/// file"). Plain data as a file or a program states it; joint names and muscle measures are not resolved yet.
+/// Frames are numbers of frames, time = frame / fps. Lengths in world units, angles in degrees.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/core/math.h"
+#include "engine/model/keyed.h"
+
+namespace sinew {
+
+// The words for each of these, in the same order, are in scene_words.h.
+enum class MuscleSide { left, right };  ///< the character's own
+enum class MusclePreset { biceps, calf };
+enum class Expression { neutral, smile, laugh, anger, surprise, shout, fear, sadness, doubt, disgust };
+enum class View { front, back, left, right, top, three_quarter };
+enum class Shading { lit, flat, clay, normals, weights, bulge, depth };
+
+/// sRGB, 8 bits a channel, not premultiplied.
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
+  bool operator==(const Colour&) const = default;
+};
+
+/// A muscle as it is stated: what is absent comes from the preset, or where there is none from the rest pose
+/// (body.md 6 and 7). Without a preset all but driver, tip and rest_angle are there.
+struct MuscleSpec {
+  std::optional<MusclePreset> preset;
+  std::optional<MuscleSide> side;         ///< there exactly where a preset is
+  std::optional<std::string> name;        ///< absent: "biceps_left" and so on
+  std::optional<std::string> bone;        ///< joint whose segment carries the muscle
+  std::optional<std::string> child;       ///< joint at the segment's far end
+  std::optional<std::string> driver;      ///< joint whose bending drives it; absent without a preset: `child`
+  std::optional<std::string> tip;         ///< joint beyond the driver; absent: the next on the chain
+  std::optional<Vec3> facing;             ///< towards the belly, any length but 0
+  std::optional<double> from, to;         ///< along the segment, 0 at `bone`, 1 at `child`; within -1..2, from < to
+  std::optional<double> spread;           ///< degrees to either side of `facing`, 0..180
+  std::optional<double> peak;             ///< swelling at the centre at the reference angle; negative: a hollow
+  std::optional<Vec2> sigma;              ///< along and across the segment, > 0
+  std::optional<double> rest_angle;       ///< of the driver, degrees, 0..180; absent: measured on the rest pose
+  std::optional<double> reference_angle;  ///< angle of the whole swelling, degrees, 0..180, not rest_angle
+
+  bool operator==(const MuscleSpec&) const = default;
+};
+
+/// How much of one expression; between two keys their weights cross-fade.
+struct ExpressionWeight {
+  Expression expression = Expression::neutral;
+  double strength = 1.0;  ///< 0..1
+  bool operator==(const ExpressionWeight&) const = default;
+};
+
+/// Asks for a motion clip with this tag and the expression of that name, their apexes at `frame`.
+struct EmotionCue {
+  double frame = 0.0;
+  Expression emotion = Expression::neutral;
+  double strength = 1.0;  ///< 0..1
+  bool operator==(const EmotionCue&) const = default;
+};
+
+/// "none": no animation of the model's own.
+struct NoClip {
+  bool operator==(const NoClip&) const = default;
+};
+/// One of the model's own animations: none, by index, or by name.
+using ClipChoice = std::variant<NoClip, int, std::string>;
+
+/// A clip of the motion library, by name.
+struct LibraryClip {
+  std::string name;
+  bool operator==(const LibraryClip&) const = default;
+};
+/// A clip of the library, or a motion file.
+using MotionChoice = std::variant<LibraryClip, std::filesystem::path>;
+
+/// One model and all that happens to it. What moves a joint, later over earlier: rest pose, clip, motion, keys.
+struct Character {
+  std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:arm")
+  std::optional<ClipChoice> clip;                         ///< absent: the scene does not say
+  std::optional<MotionChoice> motion;                     ///< absent: none
+  Keyed<Vec3> position = Keyed<Vec3>::constant(Vec3(0));  ///< of the model's origin
+  Keyed<double> turn = Keyed<double>::constant(0);        ///< degrees about +Y
+  int count = 1;                                          ///< copies; more than 1 is refused until crowds exist
+  std::vector<MuscleSpec> muscles;                        ///< no two of one muscle_name()
+  std::map<std::string, Keyed<Vec3>> keys;                ///< joint name -> degrees about the model's x, y, z, in turn
+  std::optional<Keyed<ExpressionWeight>> expressions;     ///< absent: neutral
+  std::map<std::string, Keyed<std::vector<double>>> regions;  ///< one of face_regions() -> its numbers
+  std::vector<EmotionCue> emotion;                            ///< frames strictly rising
+
+  bool operator==(const Character&) const = default;
+};
+
+struct Camera {
+  View view = View::front;
+  Keyed<double> orbit = Keyed<double>::constant(0);  ///< degrees, counter-clockwise seen from above
+  std::optional<Keyed<Vec3>> target;                 ///< absent: the centre of what the scene shows
+  std::optional<Keyed<double>> distance;             ///< from the target, > 0; absent: far enough to see everything
+
+  bool operator==(const Camera&) const = default;
+};
+
+struct Look {
+  Shading shading = Shading::lit;
+  Colour background{0xd8, 0xd8, 0xd8, 0xff};  ///< alpha 0: transparent
+
+  bool operator==(const Look&) const = default;
+};
+
+/// Frames first to last, both included, 0 <= first <= last.
+struct FrameSpan {
+  int first = 0;
+  int last = 0;
+  bool operator==(const FrameSpan&) const = default;
+};
+
+struct Scene {
+  double fps = 24.0;                  ///< frames a second, above 0, up to 1000
+  std::optional<FrameSpan> frames;    ///< absent: as long as its clips and keys last
+  std::vector<Character> characters;  ///< at least one
+  Camera camera;
+  Look look;
+  std::optional<std::filesystem::path> library;  ///< the motion library; absent: `--library`
+
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace sinew

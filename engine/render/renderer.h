@@ -1,0 +1,62 @@
+#pragma once
+/// Pictures of deformed characters. Vulkan types stay behind this header.
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "engine/gpu/gpu_deformer.h"
+#include "engine/model/picture.h"
+#include "engine/model/scene.h"
+#include "engine/render/viewpoint.h"
+
+namespace sinew {
+
+struct RendererOptions {
+  int width = 1280, height = 720;
+  int samples = 1;  ///< 1 or 4
+};
+
+/// One frame's look at the scene.
+struct Shot {
+  Viewpoint viewpoint;
+  Shading shading = Shading::lit;
+  std::array<float, 4> background{0.847f, 0.847f, 0.847f, 1.0f};  ///< sRGB and alpha, 0 to 1
+  double largest_bulge = 0.0;  ///< height that Shading::bulge shows in full red, world units
+};
+
+/// Draws any number of characters into one picture. A frame is set_state() of every character, then draw().
+class Renderer {
+ public:
+  /// Fails as bad_input where the device cannot make pictures of this size or sample count, as device_failed where there is
+  /// no memory. The device must outlive the renderer.
+  static Result<Renderer> create(Device& device, const RendererOptions& options);
+
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// Uploads a character with its materials and textures; its number is the order of the calls. A texture that cannot be
+  /// decoded is shown as white and named in `problems`. With Deformer::rigid each triangle follows one bone.
+  Result<void> add_character(const Model& model, const CharacterMesh& mesh, const RestShape& rest,
+                             std::span<const PlacedMuscle> muscles, const GpuDeformerOptions& options,
+                             std::vector<std::string>& problems);
+
+  GpuDeformer& deformer(std::size_t character);
+
+  /// Deforms every character, draws and reads back, in one submit.
+  Result<Picture> draw(const Shot& shot);
+
+  /// The same in separate submits, for benchmarks.
+  Result<void> deform();
+  Result<void> draw_only(const Shot& shot);
+  Result<void> copy_only();
+  Picture picture() const;
+
+ private:
+  struct Impl;
+  explicit Renderer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sinew

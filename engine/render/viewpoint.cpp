@@ -1,0 +1,76 @@
+#include "engine/render/viewpoint.h"
+
+#include <array>
+
+namespace sinew {
+namespace {
+
+constexpr double margin = 0.04;
+
+std::array<Vec3, 8> corners(const Bounds& box) {
+  std::array<Vec3, 8> result;
+  for (int i = 0; i < 8; ++i)
+    result[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
+  return result;
+}
+
+Viewpoint oriented(const ViewDirection& direction) {
+  const double a = direction.azimuth * degrees_to_radians, e = direction.elevation * degrees_to_radians;
+  Viewpoint camera;
+  camera.right = {std::cos(a), 0.0, -std::sin(a)};
+  camera.back = {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+  camera.up = glm::cross(camera.back, camera.right);
+  return camera;
+}
+
+}  // namespace
+
+Mat4 Viewpoint::view_projection(double aspect) const {
+  Mat4 view(1.0);
+  for (int i = 0; i < 3; ++i) {
+    view[i][0] = right[i];
+    view[i][1] = up[i];
+    view[i][2] = back[i];
+  }
+  view[3] = Vec4(-glm::dot(right, eye), -glm::dot(up, eye), -glm::dot(back, eye), 1.0);
+  const double scale = 1.0 / std::tan(0.5 * vertical_field_of_view_degrees * degrees_to_radians);
+  Mat4 projection(0.0);
+  projection[0][0] = scale / aspect;
+  projection[1][1] = -scale;
+  projection[2][2] = far_plane / (near_plane - far_plane);
+  projection[2][3] = -1.0;
+  projection[3][2] = near_plane * far_plane / (near_plane - far_plane);
+  return projection * view;
+}
+
+Viewpoint look_at(const Vec3& target, double distance, const Bounds& box, const ViewDirection& direction) {
+  Viewpoint camera = oriented(direction);
+  camera.eye = target + distance * camera.back;
+  double nearest = INFINITY, farthest = 0.0;
+  for (const Vec3& corner : corners(box)) {
+    const double depth = glm::dot(camera.eye - corner, camera.back);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  // Half a box more on either side: a bulge, a strand of hair or an unsampled frame may leave the box.
+  const double slack = 0.5 * box.diagonal() + 1e-9;
+  camera.far_plane = std::max(farthest, distance) + slack;
+  camera.near_plane = std::max(nearest - slack, camera.far_plane * 1e-3);
+  return camera;
+}
+
+Viewpoint frame_box(const Bounds& box, const ViewDirection& direction, double aspect) {
+  const Viewpoint axes = oriented(direction);
+  const double slope_y = (1.0 - 2.0 * margin) * std::tan(0.5 * vertical_field_of_view_degrees * degrees_to_radians);
+  const double slope_x = slope_y * aspect;
+  double distance = 1e-6;
+  for (const Vec3& corner : corners(box)) {
+    const Vec3 p = corner - box.centre();
+    const double depth = glm::dot(p, axes.back);
+    distance = std::max({distance, depth + std::abs(glm::dot(p, axes.right)) / slope_x,
+                         depth + std::abs(glm::dot(p, axes.up)) / slope_y});
+  }
+  return look_at(box.centre(), distance, box, direction);
+}
+
+}  // namespace sinew

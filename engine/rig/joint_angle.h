@@ -1,0 +1,28 @@
+#pragma once
+/// The angle of a bent joint, as body.md 6 defines it for the joint that drives a muscle.
+
+#include <optional>
+#include <span>
+
+#include "engine/core/math.h"
+#include "engine/model/model.h"
+#include "engine/rig/humanoid.h"
+
+namespace sinew {
+
+/// The three joints between which an angle is measured.
+struct JointAngle {
+  int before = -1, at = -1, after = -1;  ///< nodes
+
+  /// Degrees between the directions at -> before and at -> after, from posed global transforms; 180 when straight.
+  double degrees(std::span<const Mat4> global) const;
+};
+
+/// The angle at `driver`: to its humanoid parent (else its parent node), and to `tip` where it is given, else to the next
+/// joint of the humanoid chain, else to its only or first child. Nothing where either neighbour is missing.
+std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& humanoid, int driver, int tip = -1);
+
+/// delta of body.md 6: 0 at the rest angle, 1 at the reference angle, linear beyond it, never negative; 0 below 1e-9.
+double muscle_activation(double angle, double rest_angle, double reference_angle);
+
+}  // namespace sinew

@@ -1,0 +1,163 @@
+#version 460
+// The deformation of a character, one invocation a vertex: morph targets, skin, projection-plane Gaussian muscle bulge.
+// Twin of engine/deform; the formulas are body.md 2, 3 and 6.
+//
+// Two builds of one source: SINEW_TEXEL_BUFFERS reads through texel buffers (what a CPU driver vectorises), otherwise
+// through storage buffers (no size limit worth speaking of). They give the same bits.
+#extension GL_GOOGLE_include_directive : require
+#include "layout.h"
+
+layout(local_size_x = workgroup_size) in;
+
+layout(constant_id = constant_deformer) const uint deformer = deformer_ssd;
+layout(constant_id = constant_bulge) const uint bulge = bulge_on;
+layout(constant_id = constant_has_morphs) const bool has_morphs = true;
+layout(constant_id = constant_has_extra_influences) const bool has_extra_influences = true;
+
+layout(push_constant) uniform Push { DeformPush push; };
+
+#ifdef SINEW_TEXEL_BUFFERS
+layout(binding = binding_vertices) uniform utextureBuffer vertex_words;
+layout(binding = binding_details) uniform utextureBuffer detail_words;
+layout(binding = binding_palette) uniform textureBuffer palette_words;
+layout(binding = binding_morph_weights) uniform textureBuffer morph_weights;
+layout(binding = binding_muscles) uniform textureBuffer muscle_words;
+uvec4 vertex_word(uint i) { return texelFetch(vertex_words, int(i)); }
+uvec4 detail_word(uint i) { return texelFetch(detail_words, int(i)); }
+vec4 palette_word(uint i) { return texelFetch(palette_words, int(i)); }
+float morph_weight(uint i) { return texelFetch(morph_weights, int(i)).x; }
+vec4 muscle_word(uint i) { return texelFetch(muscle_words, int(i)); }
+#else
+layout(binding = binding_vertices, std430) readonly buffer Vertices { uvec4 vertex_words[]; };
+layout(binding = binding_details, std430) readonly buffer Details { uvec4 detail_words[]; };
+layout(binding = binding_palette, std430) readonly buffer Palette { vec4 palette_words[]; };
+layout(binding = binding_morph_weights, std430) readonly buffer MorphWeights { float morph_weights[]; };
+layout(binding = binding_muscles, std430) readonly buffer Muscles { vec4 muscle_words[]; };
+uvec4 vertex_word(uint i) { return vertex_words[i]; }
+uvec4 detail_word(uint i) { return detail_words[i]; }
+vec4 palette_word(uint i) { return palette_words[i]; }
+float morph_weight(uint i) { return morph_weights[i]; }
+vec4 muscle_word(uint i) { return muscle_words[i]; }
+#endif
+layout(binding = binding_output, std430) writeonly buffer Output { vec4 output_words[]; };
+
+// The rows of a 3x4 matrix.
+struct Rows {
+  vec4 x, y, z;
+};
+
+void add_joint(inout Rows rows, uint joint, float weight) {
+  const uint first = joint * words_per_joint;
+  rows.x += weight * palette_word(first);
+  rows.y += weight * palette_word(first + 1);
+  rows.z += weight * palette_word(first + 2);
+}
+
+float smooth_step(float x) {
+  x = clamp(x, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+float smooth_step_slope(float x) {
+  x = clamp(x, 0.0, 1.0);
+  return 6.0 * x * (1.0 - x);
+}
+
+// Adds one region's height, and its change over the bind surface as a covector.
+void add_region(uint first, inout float height, inout vec3 gradient) {
+  const vec4 place = uintBitsToFloat(detail_word(first));
+  const uvec4 along_word = detail_word(first + 1);
+  const vec3 along_axis = uintBitsToFloat(along_word.xyz);
+  const vec3 across_axis = uintBitsToFloat(detail_word(first + 2).xyz);
+  const vec4 gauss = muscle_word(along_word.w * words_per_muscle);
+  const vec4 fade = muscle_word(along_word.w * words_per_muscle + 1);
+
+  const float x = place.x, y = place.y, t = place.z;
+  const float g = gauss.z * exp(-0.5 * (x * x * gauss.x + y * y * gauss.y));
+  float f = 1.0, slope = 0.0;
+  if (bulge == bulge_on) {
+    const float begin = (t - fade.x) * fade.z, end = (fade.y - t) * fade.z;
+    const float rise = smooth_step(begin), fall = smooth_step(end);
+    f = rise * fall * place.w;
+    slope = (smooth_step_slope(begin) * fall - rise * smooth_step_slope(end)) * fade.z * place.w;
+  }
+  height += g * f;
+  gradient += g * ((slope * fade.w - x * gauss.x * f) * along_axis - y * gauss.y * f * across_axis);
+}
+
+void main() {
+  if (gl_GlobalInvocationID.x >= push.vertex_count) return;
+  const uint vertex = gl_GlobalInvocationID.x;
+  const uint record = vertex * words_per_vertex;
+  const uvec4 word0 = vertex_word(record), word1 = vertex_word(record + 1), word2 = vertex_word(record + 2);
+  precise vec3 position = uintBitsToFloat(word0.xyz);
+  precise vec3 normal = uintBitsToFloat(word1.xyz);
+
+  uvec4 header = uvec4(0);
+  uint detail = word0.w;
+  if (has_morphs || has_extra_influences || bulge != bulge_off) header = detail_word(detail++);
+
+  if (has_morphs) {
+    for (uint i = 0; i < header.x; ++i, detail += words_per_morph_delta) {
+      const uvec4 delta = detail_word(detail);
+      const float weight = morph_weight(delta.w);
+      position += weight * uintBitsToFloat(delta.xyz);
+      normal += weight * uintBitsToFloat(detail_word(detail + 1).xyz);
+    }
+  }
+
+  precise Rows blend = Rows(vec4(0), vec4(0), vec4(0));
+  if (deformer == deformer_rigid) {
+    add_joint(blend, word2.x & 0xffffu, 1.0);
+    if (has_extra_influences) detail += header.y * words_per_extra;
+  } else {
+    const float w1 = uintBitsToFloat(word1.w), w2 = uintBitsToFloat(word2.z), w3 = uintBitsToFloat(word2.w);
+    precise float w0 = ((1.0 - w1) - w2) - w3;
+    if (has_extra_influences) {
+      for (uint i = 0; i < header.y; ++i, detail += words_per_extra) {
+        const uvec4 joints = detail_word(detail);
+        const vec4 weights = uintBitsToFloat(detail_word(detail + 1));
+        add_joint(blend, joints.x & 0xffffu, weights.x);
+        add_joint(blend, joints.x >> 16, weights.y);
+        add_joint(blend, joints.y & 0xffffu, weights.z);
+        add_joint(blend, joints.y >> 16, weights.w);
+        w0 = (((w0 - weights.x) - weights.y) - weights.z) - weights.w;
+      }
+    }
+    add_joint(blend, word2.x & 0xffffu, w0);
+    add_joint(blend, word2.x >> 16, w1);
+    add_joint(blend, word2.y & 0xffffu, w2);
+    add_joint(blend, word2.y >> 16, w3);
+  }
+
+  const vec4 homogeneous = vec4(position, 1.0);
+  precise vec3 posed = vec3(dot(blend.x, homogeneous), dot(blend.y, homogeneous), dot(blend.z, homogeneous));
+
+  // A^-T is the cofactor matrix over the determinant; only the determinant's sign matters to a direction.
+  const vec3 cofactor_x = cross(blend.y.xyz, blend.z.xyz);
+  const vec3 cofactor_y = cross(blend.z.xyz, blend.x.xyz);
+  const vec3 cofactor_z = cross(blend.x.xyz, blend.y.xyz);
+  const float determinant = dot(blend.x.xyz, cofactor_x);
+  vec3 carried = vec3(dot(cofactor_x, normal), dot(cofactor_y, normal), dot(cofactor_z, normal));
+  carried = determinant < 0.0 ? -carried : carried;
+  const float squared = dot(carried, carried);
+  vec3 outward = squared > 0.0 ? carried * inversesqrt(squared) : normal;
+
+  float height = 0.0;
+  if (bulge != bulge_off) {
+    vec3 gradient = vec3(0);
+    for (uint i = 0; i < header.z; ++i, detail += words_per_region) add_region(detail, height, gradient);
+    posed += height * outward;
+    if (gradient != vec3(0) && determinant != 0.0) {
+      // The swollen surface's normal is n' minus the tangential part of A^-T grad h: Sherman and Morrison's formula for
+      // the cofactors of A + n' grad h^T.
+      vec3 tilt = vec3(dot(cofactor_x, gradient), dot(cofactor_y, gradient), dot(cofactor_z, gradient)) / determinant;
+      tilt -= dot(tilt, outward) * outward;
+      const vec3 swollen = outward - tilt;
+      outward = swollen * inversesqrt(dot(swollen, swollen));
+    }
+  }
+
+  output_words[vertex * words_per_output] = vec4(posed, height);
+  output_words[vertex * words_per_output + 1] = vec4(outward, 0.0);
+}

@@ -1,0 +1,113 @@
+// What the program and the shaders share, in one place: this file is read by the C++ compiler and by glslang.
+//
+// Vertex record, 3 words of 16 bytes a vertex (48 bytes):
+//   word 0: position x, y, z (float), index of the vertex's detail header (uint; 0: none)
+//   word 1: normal x, y, z (float), weight of influence 1 (float)
+//   word 2: joints 0 and 1, joints 2 and 3 (16 bits each, the lower first), weights of influences 2 and 3 (float)
+// The largest weight is not stored: it is 1 minus the others, so that the sum is exact whatever the rounding.
+//
+// Details, words of 16 bytes: what only some vertices have. Word 0 is an empty header. A header
+//   {number of morph deltas, 1 where there are influences 4 to 7 else 0, number of muscle regions, 0}
+// is followed by
+//   a morph delta:  {position x, y, z, morph slot (uint)} {normal x, y, z, 0}
+//   influences 4-7: {joints 4 and 5, joints 6 and 7, 0, 0} {their weights}
+//   a region entry: {x, y, t, held fade} {A0^T a, muscle index (uint)} {A0^T s, 0}        (body.md 6)
+//
+// Palette: 3 words a joint, the rows of its 3x4 matrix. Output: 2 words a vertex, {position, bulge height} {normal, 0}.
+#ifndef SINEW_SHADERS_LAYOUT_H
+#define SINEW_SHADERS_LAYOUT_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#define SINEW_CONSTANT constexpr std::uint32_t
+namespace sinew::layout {
+using uint = std::uint32_t;
+using vec4 = glm::fvec4;
+using mat4 = glm::fmat4;
+#else
+#define SINEW_CONSTANT const uint
+#endif
+
+SINEW_CONSTANT workgroup_size = 256;
+SINEW_CONSTANT words_per_vertex = 3;
+SINEW_CONSTANT words_per_joint = 3;
+SINEW_CONSTANT words_per_output = 2;
+SINEW_CONSTANT words_per_muscle = 2;
+SINEW_CONSTANT words_per_morph_delta = 2;
+SINEW_CONSTANT words_per_extra = 2;
+SINEW_CONSTANT words_per_region = 3;
+
+// Bindings of the deform pass, set 0.
+SINEW_CONSTANT binding_vertices = 0;
+SINEW_CONSTANT binding_details = 1;
+SINEW_CONSTANT binding_palette = 2;
+SINEW_CONSTANT binding_morph_weights = 3;
+SINEW_CONSTANT binding_muscles = 4;
+SINEW_CONSTANT binding_output = 5;
+
+// Specialisation constants of the deform pass.
+SINEW_CONSTANT constant_deformer = 0;
+SINEW_CONSTANT constant_bulge = 1;
+SINEW_CONSTANT constant_has_morphs = 2;
+SINEW_CONSTANT constant_has_extra_influences = 3;
+
+SINEW_CONSTANT deformer_rigid = 0;
+SINEW_CONSTANT deformer_ssd = 1;
+SINEW_CONSTANT bulge_off = 0;
+SINEW_CONSTANT bulge_on = 1;
+SINEW_CONSTANT bulge_paper = 2;
+
+// Bindings of the draw pass: set 0 a frame, set 1 a material.
+SINEW_CONSTANT binding_frame = 0;
+SINEW_CONSTANT binding_material = 0;
+SINEW_CONSTANT binding_base_colour = 1;
+
+// How a surface is shown.
+SINEW_CONSTANT shading_lit = 0;
+SINEW_CONSTANT shading_flat = 1;
+SINEW_CONSTANT shading_clay = 2;
+SINEW_CONSTANT shading_normals = 3;
+SINEW_CONSTANT shading_weights = 4;
+SINEW_CONSTANT shading_bulge = 5;
+SINEW_CONSTANT shading_depth = 6;
+
+struct DeformPush {
+  uint vertex_count;  // of this dispatch; its vertices and its output start at the bound ranges' beginning
+};
+
+// One muscle of one pose; two words.
+struct MuscleWords {
+  vec4 gauss;  // 1 / sigma_along^2, 1 / sigma_across^2, delta * peak, unused
+  vec4 fade;   // from, to, 1 / q, 1 / segment length
+};
+
+struct FrameUniforms {
+  mat4 view_projection;
+  vec4 eye;            // world position of the camera, unused
+  vec4 right;          // the camera's axes in the world: lights stand relative to the camera
+  vec4 up;
+  vec4 back;
+  vec4 depth_range;    // nearest, farthest distance that the depth shading spreads over; largest bulge height; unused
+  uint shading;
+  uint padding0, padding1, padding2;
+};
+
+struct MaterialUniforms {
+  vec4 base_colour;   // linear RGBA
+  float alpha_cutoff; // below it a fragment is dropped; negative: never
+  float opaque;       // 1: alpha is ignored
+  float padding0, padding1;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(DeformPush) == 4);
+static_assert(sizeof(MuscleWords) == words_per_muscle * 16);
+static_assert(sizeof(FrameUniforms) == 160 && offsetof(FrameUniforms, eye) == 64 && offsetof(FrameUniforms, shading) == 144);
+static_assert(sizeof(MaterialUniforms) == 32 && offsetof(MaterialUniforms, alpha_cutoff) == 16);
+}  // namespace sinew::layout
+#endif
+
+#undef SINEW_CONSTANT
+#endif

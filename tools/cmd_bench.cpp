@@ -1,0 +1,103 @@
+#include <spdlog/spdlog.h>
+
+#include "engine/app/bench.h"
+#include "tools/command.h"
+
+namespace sinew::tools {
+namespace {
+
+struct Words {
+  CommonOptions common;
+  SceneWords scene;
+  std::string size = "1280x720";
+  long long vertices = 0;
+  int frames_timed = 101;
+};
+
+nlohmann::ordered_json timing_json(const Timing& t) { return {{"median", t.median}, {"p95", t.p95}}; }
+
+nlohmann::ordered_json report_json(const BenchReport& r, const Device& device, const PictureSize& size) {
+  nlohmann::ordered_json stages;
+  const std::pair<const char*, const Timing*> rows[] = {
+      {"pose", &r.pose},         {"upload", &r.upload}, {"deform", &r.deform}, {"deform_bare", &r.deform_bare},
+      {"draw", &r.draw},         {"readback", &r.readback}, {"encode", &r.encode}, {"frame", &r.frame}};
+  for (const auto& [name, t] : rows) stages[name] = timing_json(*t);
+  return {{"device", device_json(device.info())},
+          {"vertices", r.vertices},
+          {"triangles", r.triangles},
+          {"joints", r.joints},
+          {"instances", r.instances},
+          {"size", {size.width, size.height}},
+          {"stages", stages},
+          {"fps", 1000.0 / r.frame.median},
+          {"deform_mverts_per_s", double(r.vertices) / r.deform.median / 1000.0},
+          {"deform_ratio", r.deform_ratio},
+          {"ssd_fps", r.ssd_fps},
+          {"bulge_fps", r.bulge_fps},
+          {"bulge_cost", r.bulge_cost},
+          {"pose_us", r.pose.median * 1000.0},
+          {"peak_memory_mib", r.peak_memory_mib},
+          {"startup_ms", r.startup_ms}};
+}
+
+Result<BenchOptions> bench_options(const Words& words) {
+  BenchOptions options;
+  auto scene = scene_options(words.scene);
+  if (!scene) return pass_on(std::move(scene));
+  options.scene = std::move(*scene);
+  if (words.vertices < 0 || words.vertices > 20'000'000)
+    return failure(ErrorKind::usage, "--vertices {}: expected 0 to 20,000,000", words.vertices);
+  options.scene.vertices = static_cast<std::size_t>(words.vertices);
+  auto size = parse_size(words.size);
+  if (!size) return pass_on(std::move(size));
+  options.look.size = *size;
+  if (words.frames_timed < 1 || words.frames_timed > 1'000'000)
+    return failure(ErrorKind::usage, "--frames-timed {}: expected 1 to 1,000,000", words.frames_timed);
+  options.frames_timed = words.frames_timed;
+  auto progress = progress_style(words.common);
+  if (!progress) return pass_on(std::move(progress));
+  options.progress = *progress;
+  return options;
+}
+
+void log_report(const BenchReport& r) {
+  spdlog::info("{} vertices, {} triangles, {} joints", r.vertices, r.triangles, r.joints);
+  spdlog::info("pose {:.3f}, upload {:.3f}, deform {:.3f} (bare kernel {:.3f}, ratio {:.2f}), draw {:.3f}, read back {:.3f}, "
+               "encode {:.3f}, frame {:.3f} ms (medians)",
+               r.pose.median, r.upload.median, r.deform.median, r.deform_bare.median, r.deform_ratio, r.draw.median,
+               r.readback.median, r.encode.median, r.frame.median);
+  spdlog::info("{:.1f} frames/s plain SSD, {:.1f} with the bulge, which costs {:.1f} %; start-up {:.0f} ms, peak {:.0f} MiB",
+               r.ssd_fps, r.bulge_fps, 100.0 * r.bulge_cost, r.startup_ms, r.peak_memory_mib);
+}
+
+Result<void> bench(const Words& words) {
+  apply_verbosity(words.common);
+  auto options = bench_options(words);
+  if (!options) return pass_on(std::move(options));
+  auto stage = open_stage(options->scene);
+  if (!stage) return pass_on(std::move(stage));
+  log_problems(stage->problems);
+  auto device = open_device(words.common);
+  if (!device) return pass_on(std::move(device));
+  auto report = run_bench(*device, *stage, *options);
+  if (!report) return pass_on(std::move(report));
+  log_report(*report);
+  if (words.common.json) print_json(report_json(*report, *device, options->look.size));
+  return check_validation(*device);
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("bench", "Time per stage, throughput, the cost of the bulge");
+  command->footer("Example: sinew bench --vertices 86529 --json");
+  auto words = std::make_shared<Words>();
+  add_scene_options(*command, words->scene);
+  command->add_option("--vertices", words->vertices, "Subdivide and decimate the model to about so many vertices");
+  command->add_option("--size", words->size, "Picture size")->capture_default_str();
+  command->add_option("--frames-timed", words->frames_timed, "Rounds of every measurement")->capture_default_str();
+  add_common_options(*command, words->common, true);
+  command->callback([words, &run] { run = [words] { return bench(*words); }; });
+}
+
+}  // namespace sinew::tools

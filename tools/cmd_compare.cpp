@@ -1,0 +1,84 @@
+#include <spdlog/spdlog.h>
+
+#include "engine/core/files.h"
+#include "engine/io/png.h"
+#include "engine/render/picture_compare.h"
+#include "tools/command.h"
+
+namespace sinew::tools {
+namespace {
+
+struct Words {
+  CommonOptions common;
+  std::string a, b, diff, metric = "pixels";
+  int tolerance = 0;
+  double pixels = 0.0;
+};
+
+Result<Picture> open_picture(const std::string& file) {
+  auto bytes = read_file(file);
+  if (!bytes) return pass_on(std::move(bytes));
+  auto png = decode_png(*bytes);
+  if (!png) return bad_input("{}: {}", file, png.error().message);
+  return Picture{png->width, png->height, std::move(png->rgba)};
+}
+
+Result<void> write_difference(const Words& words, const Picture& a, const Picture& b) {
+  if (words.diff.empty()) return {};
+  const Picture difference = difference_picture(a, b);
+  auto png = encode_png(difference.rgba, difference.width, difference.height, {}, false);
+  if (!png) return pass_on(std::move(png));
+  return write_file(words.diff, *png);
+}
+
+Result<void> compare(const Words& words) {
+  apply_verbosity(words.common);
+  if (words.metric != "pixels")
+    return failure(ErrorKind::usage, "--metric {}: does not exist yet; pictures are compared by pixels", words.metric);
+  if (words.tolerance < 0 || words.tolerance > 255)
+    return failure(ErrorKind::usage, "--tolerance {}: expected 0 to 255", words.tolerance);
+  if (!(words.pixels >= 0.0 && words.pixels <= 1.0))
+    return failure(ErrorKind::usage, "--pixels {}: expected a share from 0 to 1", words.pixels);
+  auto a = open_picture(words.a);
+  if (!a) return pass_on(std::move(a));
+  auto b = open_picture(words.b);
+  if (!b) return pass_on(std::move(b));
+  auto compared = compare_pixels(*a, *b, words.tolerance);
+  if (!compared) return bad_input("{} and {}: {}", words.a, words.b, compared.error().message);
+  if (auto ok = write_difference(words, *a, *b); !ok) return ok;
+
+  const double share = static_cast<double>(compared->pixels_over) / static_cast<double>(compared->pixels);
+  const bool pass = share <= words.pixels;
+  if (words.common.json)
+    print_json({{"metric", words.metric},
+                {"value", share},
+                {"threshold", words.pixels},
+                {"pixels_over", compared->pixels_over},
+                {"largest_difference", compared->largest_difference},
+                {"pass", pass}});
+  const std::string summary =
+      fmt::format("{} of {} pixels differ by more than {} levels (largest {}), {:.4g} of them, at most {:.4g} may",
+                  compared->pixels_over, compared->pixels, words.tolerance, compared->largest_difference, share,
+                  words.pixels);
+  if (!pass) return failure(ErrorKind::check_failed, "the pictures differ: {}", summary);
+  spdlog::info("the pictures agree: {}", summary);
+  return {};
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("compare", "Picture difference");
+  command->footer("Example: sinew compare a.png b.png --tolerance 3 --pixels 0.001 --diff difference.png");
+  auto words = std::make_shared<Words>();
+  command->add_option("a", words->a, "A picture (.png)")->required();
+  command->add_option("b", words->b, "Another of the same size")->required();
+  command->add_option("--tolerance", words->tolerance, "Levels of 255 by which a channel may differ")->capture_default_str();
+  command->add_option("--pixels", words->pixels, "Share of the pixels that may exceed it, 0 to 1")->capture_default_str();
+  command->add_option("--metric", words->metric, "How to compare: pixels")->capture_default_str();
+  command->add_option("--diff", words->diff, "Write the difference, eight times amplified, to this .png");
+  add_common_options(*command, words->common, false);
+  command->callback([words, &run] { run = [words] { return compare(*words); }; });
+}
+
+}  // namespace sinew::tools

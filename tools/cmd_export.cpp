@@ -1,0 +1,72 @@
+#include <spdlog/spdlog.h>
+
+#include "engine/app/bake.h"
+#include "tools/command.h"
+
+namespace sinew::tools {
+namespace {
+
+struct Words {
+  CommonOptions common;
+  SceneWords scene;
+  std::string output, by = "gpu";
+  bool rig = false;
+};
+
+Result<BakeOptions> bake_options(const Words& words) {
+  BakeOptions options;
+  auto scene = scene_options(words.scene);
+  if (!scene) return pass_on(std::move(scene));
+  options.scene = std::move(*scene);
+  auto progress = progress_style(words.common);
+  if (!progress) return pass_on(std::move(progress));
+  options.progress = *progress;
+  options.output = words.output;
+  if (words.by != "gpu" && words.by != "cpu")
+    return failure(ErrorKind::usage, "--by {}: expected gpu or cpu", words.by);
+  options.by_cpu = words.by == "cpu";
+  options.rig = words.rig;
+  if (auto ok = check_mesh_name(options); !ok) return pass_on(std::move(ok));
+  return options;
+}
+
+Result<void> export_mesh(const Words& words) {
+  apply_verbosity(words.common);
+  auto options = bake_options(words);
+  if (!options) return pass_on(std::move(options));
+  auto stage = open_stage(options->scene);
+  if (!stage) return pass_on(std::move(stage));
+  log_problems(stage->problems);
+  std::optional<Device> device;
+  if (!options->by_cpu && !options->rig) {
+    auto opened = open_device(words.common);
+    if (!opened) return pass_on(std::move(opened));
+    device = std::move(*opened);
+  }
+  auto report = bake(device ? &*device : nullptr, *stage, *options);
+  if (!report) return pass_on(std::move(report));
+  if (words.common.json)
+    print_json({{"file", options->output},
+                {"frames", report->frames},
+                {"vertices", report->vertices},
+                {"triangles", report->triangles}});
+  spdlog::info("{}: {} frames of {} vertices, {} triangles", options->output, report->frames, report->vertices,
+               report->triangles);
+  return device ? check_validation(*device) : Result<void>();
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("export", "The deformed mesh as .obj, .ply or .glb");
+  command->footer("Example: sinew export character.glb --frame 12 -o posed.obj");
+  auto words = std::make_shared<Words>();
+  add_scene_options(*command, words->scene);
+  command->add_option("-o,--output", words->output, "x.obj, x.ply, x.glb, or x_####.obj for several frames")->required();
+  command->add_option("--by", words->by, "Who makes the vertices: gpu or cpu")->capture_default_str();
+  command->add_flag("--rig", words->rig, "Write skeleton, weights and morph targets instead of deformed vertices (.glb)");
+  add_common_options(*command, words->common, true);
+  command->callback([words, &run] { run = [words] { return export_mesh(*words); }; });
+}
+
+}  // namespace sinew::tools

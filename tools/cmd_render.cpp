@@ -1,0 +1,94 @@
+#include "engine/app/capture.h"
+#include "tools/command.h"
+
+namespace sinew::tools {
+namespace {
+
+struct Words {
+  CommonOptions common;
+  SceneWords scene;
+  LookWords look;
+  std::string output;
+};
+
+Result<LookOptions> look_options(const LookWords& words) {
+  LookOptions look;
+  auto size = parse_size(words.size);
+  if (!size) return pass_on(std::move(size));
+  look.size = *size;
+  if (words.samples != 1 && words.samples != 4)
+    return failure(ErrorKind::usage, "--samples {}: expected 1 or 4", words.samples);
+  look.samples = words.samples;
+  look.orbit = words.orbit;
+  const auto optional = [](const std::string& text, auto parse, auto& to) -> Result<void> {
+    if (text.empty()) return {};
+    auto value = parse(text);
+    if (!value) return pass_on(std::move(value));
+    to = *value;
+    return {};
+  };
+  if (auto ok = optional(words.view, parse_view, look.view); !ok) return pass_on(std::move(ok));
+  if (auto ok = optional(words.shading, parse_shading, look.shading); !ok) return pass_on(std::move(ok));
+  if (auto ok = optional(words.background, parse_background, look.background); !ok) return pass_on(std::move(ok));
+  return look;
+}
+
+Result<CaptureOptions> capture_options(const Words& words) {
+  CaptureOptions options;
+  auto scene = scene_options(words.scene);
+  if (!scene) return pass_on(std::move(scene));
+  options.scene = std::move(*scene);
+  auto look = look_options(words.look);
+  if (!look) return pass_on(std::move(look));
+  options.look = *look;
+  auto progress = progress_style(words.common);
+  if (!progress) return pass_on(std::move(progress));
+  options.progress = *progress;
+  options.output = words.output;
+  if (auto ok = check_picture_name(options.output, options.scene); !ok) return pass_on(std::move(ok));
+  return options;
+}
+
+nlohmann::ordered_json report_json(const CaptureReport& report, const Device& device, const Stage& stage,
+                                   const CaptureOptions& options) {
+  nlohmann::ordered_json json;
+  json["device"] = device_json(device.info());
+  json["frames"] = nlohmann::ordered_json::array();
+  for (const CapturedFrame& f : report.frames)
+    json["frames"].push_back(
+        {{"frame", f.frame}, {"file", f.file}, {"sha256", f.sha256}, {"ms", f.ms}, {"skipped", false}});
+  json["size"] = {options.look.size.width, options.look.size.height};
+  json["fps"] = stage.scene.fps;
+  return json;
+}
+
+Result<void> render(const Words& words) {
+  apply_verbosity(words.common);
+  auto options = capture_options(words);
+  if (!options) return pass_on(std::move(options));
+  auto stage = open_stage(options->scene);
+  if (!stage) return pass_on(std::move(stage));
+  log_problems(stage->problems);
+  auto device = open_device(words.common);
+  if (!device) return pass_on(std::move(device));
+  auto report = capture(*device, *stage, *options);
+  if (!report) return pass_on(std::move(report));
+  log_problems(report->problems);
+  if (words.common.json) print_json(report_json(*report, *device, *stage, *options));
+  return check_validation(*device);
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("render", "Pictures without a window");
+  command->footer("Example: sinew render arm.glb --pose leftLowerArm=0,-90,0 --view left -o arm.png");
+  auto words = std::make_shared<Words>();
+  add_scene_options(*command, words->scene);
+  command->add_option("-o,--output", words->output, "x.png, or x_####.png for several frames")->required();
+  add_look_options(*command, words->look);
+  add_common_options(*command, words->common, true);
+  command->callback([words, &run] { run = [words] { return render(*words); }; });
+}
+
+}  // namespace sinew::tools

@@ -1,0 +1,81 @@
+#pragma once
+/// What every command of the program shares: how it is registered, what it says and how it ends.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "engine/app/options.h"
+#include "engine/core/progress.h"
+#include "engine/gpu/device.h"
+
+namespace sinew::tools {
+
+/// Options that every command has.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool validate = false;
+  std::string device;
+  std::string progress = "auto";
+};
+
+/// The words of the scene options, as typed.
+struct SceneWords {
+  std::string scene;
+  std::string frame, frames;
+  std::string deformer = "ssd", bulge = "on", clip, library;
+  std::vector<std::string> poses;
+  double fps = 0.0;
+  double strength = 1.0;
+};
+
+/// The words of the look options, as typed.
+struct LookWords {
+  std::string size = "1280x720", view, shading, background;
+  int samples = 1;
+  std::optional<double> orbit;
+};
+
+/// A command: its parser, filled in by its file, and what runs once the words are parsed.
+using Run = std::function<Result<void>()>;
+
+/// Gives `--json`, `--quiet`, `--verbose`, `--progress`, and where asked `--device` and `--validate`.
+void add_common_options(CLI::App& command, CommonOptions& options, bool uses_device);
+void add_scene_options(CLI::App& command, SceneWords& words);
+void add_look_options(CLI::App& command, LookWords& words);
+
+/// Each fails as usage, without having opened a file.
+Result<SceneOptions> scene_options(const SceneWords& words);
+Result<ProgressStyle> progress_style(const CommonOptions& options);
+
+/// Sets what is logged to stderr.
+void apply_verbosity(const CommonOptions& options);
+
+/// The device that was asked for, named in the log. Fails as no_device.
+Result<Device> open_device(const CommonOptions& options);
+
+nlohmann::ordered_json device_json(const DeviceInfo& info);
+
+/// Prints one JSON object on stdout.
+void print_json(const nlohmann::ordered_json& json);
+
+/// Fails as check_failed where the validation layer had something to say.
+Result<void> check_validation(const Device& device);
+
+/// Logs what was repaired or left out.
+void log_problems(const std::vector<std::string>& problems);
+
+// The commands. Each registers itself and hands `run` what to do when it is chosen.
+void add_render(CLI::App& program, Run& run);
+void add_info(CLI::App& program, Run& run);
+void add_parity(CLI::App& program, Run& run);
+void add_export(CLI::App& program, Run& run);
+void add_bench(CLI::App& program, Run& run);
+void add_compare(CLI::App& program, Run& run);
+
+}  // namespace sinew::tools

@@ -1,0 +1,57 @@
+/// sinew: a character deformer and renderer. Each command stands in a file cmd_<name>.cpp.
+
+#include <iostream>
+
+#include <spdlog/spdlog.h>
+
+#include "engine/app/version.h"
+#include "engine/core/interrupt.h"
+#include "tools/command.h"
+
+namespace {
+
+using namespace sinew;
+using namespace sinew::tools;
+
+int exit_code(ErrorKind kind) { return static_cast<int>(kind); }
+
+int run_program(int count, char** words) {
+  CLI::App program("sinew: skinned characters that flex, in pictures made by Vulkan compute");
+  program.set_version_flag("--version", "sinew " + version());
+  program.require_subcommand(1);
+  Run run;
+  add_render(program, run);
+  add_info(program, run);
+  add_parity(program, run);
+  add_export(program, run);
+  add_bench(program, run);
+  add_compare(program, run);
+  try {
+    program.parse(count, words);
+  } catch (const CLI::Success& asked) {
+    return program.exit(asked);
+  } catch (const CLI::ParseError& wrong) {
+    std::cerr << "error: " << wrong.what() << "\nRun with --help for more information.\n";
+    return exit_code(ErrorKind::usage);
+  }
+  const Result<void> done = run();
+  if (done) return 0;
+  spdlog::error("{}", done.error().message);
+  return exit_code(done.error().kind);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  apply_verbosity({});
+  catch_interrupts();
+  try {
+    return run_program(count, words);
+  } catch (const std::bad_alloc&) {
+    spdlog::error("out of memory");
+    return exit_code(ErrorKind::device_failed);
+  } catch (const std::exception& error) {
+    spdlog::error("unexpected: {}", error.what());
+    return exit_code(ErrorKind::bad_input);
+  }
+}
