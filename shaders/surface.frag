@@ -29,11 +29,11 @@ struct Light {
   float wrap;  // how far light reaches round the form: the softness of a large source
 };
 
-const Light key = Light(vec3(-0.62, 0.58, 0.53), vec3(1.00, 0.97, 0.93) * 0.86, 0.12);
-const Light fill = Light(vec3(0.86, 0.05, 0.50), vec3(0.86, 0.93, 1.00) * 0.17, 0.40);
-const Light rim = Light(vec3(0.55, 0.45, -0.70), vec3(0.95, 0.98, 1.00) * 0.42, 0.05);
-const vec3 sky = vec3(0.150, 0.160, 0.175);
-const vec3 ground = vec3(0.070, 0.062, 0.056);
+const Light key = Light(vec3(-0.52, 0.62, 0.59), vec3(1.00, 0.97, 0.93) * 1.02, 0.14);
+const Light fill = Light(vec3(0.86, 0.05, 0.50), vec3(0.86, 0.93, 1.00) * 0.20, 0.40);
+const Light rim = Light(vec3(0.55, 0.45, -0.70), vec3(0.95, 0.98, 1.00) * 0.60, 0.05);
+const vec3 sky = vec3(0.120, 0.130, 0.145);
+const vec3 ground = vec3(0.060, 0.052, 0.046);
 const float gloss = 34.0;
 const float reflectance = 0.10;
 

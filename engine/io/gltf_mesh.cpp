@@ -164,21 +164,20 @@ class PrimitiveReader {
 /// The mesh's morph targets must be the same in all its primitives: the weights belong to the mesh.
 Result<void> equalise_targets(Document& document, const std::string& place, const std::vector<std::string>& names,
                               Mesh& mesh) {
-  std::size_t most = 0, present = 0;
-  for (const Primitive& primitive : mesh.primitives) {
-    most = std::max(most, primitive.morph_targets.size());
-    present += primitive.morph_targets.size();
-  }
-  if (auto taken = document.take_memory((most * mesh.primitives.size() - present) * sizeof(MorphTarget), place); !taken)
-    return taken;
+  std::size_t most = 0;
+  for (const Primitive& primitive : mesh.primitives) most = std::max(most, primitive.morph_targets.size());
   const bool unequal = std::ranges::any_of(
       mesh.primitives, [&](const Primitive& primitive) { return primitive.morph_targets.size() != most; });
   if (unequal)
     document.problem("{}: its primitives have different numbers of morph targets; the missing ones change nothing",
                      place);
-  for (Primitive& primitive : mesh.primitives)
-    while (primitive.morph_targets.size() < most)
-      primitive.morph_targets.push_back({morph_target_name(names, primitive.morph_targets.size()), {}, {}});
+  for (Primitive& primitive : mesh.primitives) {
+    while (primitive.morph_targets.size() < most) {
+      auto target = empty_morph_target(document, place, names, primitive.morph_targets.size());
+      if (!target) return pass_on(std::move(target));
+      primitive.morph_targets.push_back(std::move(*target));
+    }
+  }
   return {};
 }
 

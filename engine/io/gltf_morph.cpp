@@ -39,8 +39,14 @@ std::vector<std::string> read_target_names(const Document& document, std::size_t
   return names;
 }
 
-std::string morph_target_name(const std::vector<std::string>& names, std::size_t index) {
-  return index < names.size() && !names[index].empty() ? names[index] : fmt::format("target_{}", index);
+Result<MorphTarget> empty_morph_target(Document& document, const std::string& place,
+                                       const std::vector<std::string>& names, std::size_t index) {
+  const bool named = index < names.size() && !names[index].empty();
+  if (auto taken = document.take_memory(sizeof(MorphTarget) + (named ? names[index].size() : 0), place); !taken)
+    return pass_on(std::move(taken));
+  MorphTarget target;
+  target.name = named ? names[index] : fmt::format("target_{}", index);
+  return target;
 }
 
 Result<std::vector<MorphTarget>> read_morph_targets(Document& document, const tinygltf::Primitive& primitive,
@@ -48,8 +54,9 @@ Result<std::vector<MorphTarget>> read_morph_targets(Document& document, const ti
   std::vector<MorphTarget> targets;
   for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
     const std::string at = fmt::format("{}/targets/{}", place, t);
-    MorphTarget target;
-    target.name = morph_target_name(names, t);
+    auto begun = empty_morph_target(document, at, names, t);
+    if (!begun) return pass_on(std::move(begun));
+    MorphTarget& target = *begun;
     if (const auto position = primitive.targets[t].find("POSITION"); position != primitive.targets[t].end()) {
       auto changes = read_changes(document, position->second, at + "/POSITION", position_types);
       if (!changes) return pass_on(std::move(changes));

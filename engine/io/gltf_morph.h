@@ -14,8 +14,10 @@ namespace sinew::gltf {
 /// The names that the mesh gives its morph targets; may be shorter than their list.
 std::vector<std::string> read_target_names(const Document& document, std::size_t mesh);
 
-/// The name of target `index`, "target_<index>" where it has none.
-std::string morph_target_name(const std::vector<std::string>& names, std::size_t index);
+/// Target `index` with its name ("target_<index>" where the file gives none) and no changes. Fails where the targets
+/// take more memory than a model may: a short file can ask for very many.
+Result<MorphTarget> empty_morph_target(Document& document, const std::string& place,
+                                       const std::vector<std::string>& names, std::size_t index);
 
 /// Changes of position and normal; tangents and colours are not read. A change of the normal without a normal of the
 /// primitive's own, and numbers that are not finite, are left out and noted.

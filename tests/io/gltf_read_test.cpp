@@ -277,14 +277,15 @@ TEST(GltfRead, HugeClaimsAreRefusedWithoutTakingMemory) {
   many.add("meshes", {{"primitives", primitives}});
   expect_refused(many, "the model would take over");
 
-  // A thousand primitives that lack ten thousand morph targets each.
+  // A thousand primitives that lack five thousand morph targets each, the first of a very long name.
   GltfBuilder lacking;
   auto plain = lacking.triangle(), rich = plain;
   rich["targets"] = json::array();
-  for (int i = 0; i < 10000; ++i) rich["targets"].push_back(json::object());
+  for (int i = 0; i < 5000; ++i) rich["targets"].push_back(json::object());
   primitives = {rich};
   for (int i = 0; i < 1000; ++i) primitives.push_back(plain);
-  lacking.add("meshes", {{"primitives", primitives}});
+  lacking.add("meshes",
+              {{"primitives", primitives}, {"extras", {{"targetNames", {std::string(std::size_t{1} << 20, 'x')}}}}});
   expect_refused(lacking, "meshes/0: the model would take over");
 
   GltfBuilder offset;
