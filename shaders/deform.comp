@@ -53,36 +53,19 @@ void add_joint(inout Rows rows, uint joint, float weight) {
   rows.z += weight * palette_word(first + 2);
 }
 
-float smooth_step(float x) {
-  x = clamp(x, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
-}
-
-float smooth_step_slope(float x) {
-  x = clamp(x, 0.0, 1.0);
-  return 6.0 * x * (1.0 - x);
-}
-
 // Adds one region's height, and its change over the bind surface as a covector.
 void add_region(uint first, inout float height, inout vec3 gradient) {
   const vec4 place = uintBitsToFloat(detail_word(first));
   const uvec4 along_word = detail_word(first + 1);
   const vec3 along_axis = uintBitsToFloat(along_word.xyz);
   const vec3 across_axis = uintBitsToFloat(detail_word(first + 2).xyz);
-  const vec4 gauss = muscle_word(along_word.w * words_per_muscle);
-  const vec4 fade = muscle_word(along_word.w * words_per_muscle + 1);
-
-  const float x = place.x, y = place.y, t = place.z;
-  const float g = gauss.z * exp(-0.5 * (x * x * gauss.x + y * y * gauss.y));
-  float f = 1.0, slope = 0.0;
-  if (bulge == bulge_on) {
-    const float begin = (t - fade.x) * fade.z, end = (fade.y - t) * fade.z;
-    const float rise = smooth_step(begin), fall = smooth_step(end);
-    f = rise * fall * place.w;
-    slope = (smooth_step_slope(begin) * fall - rise * smooth_step_slope(end)) * fade.z * place.w;
-  }
-  height += g * f;
-  gradient += g * ((slope * fade.w - x * gauss.x * f) * along_axis - y * gauss.y * f * across_axis);
+  const vec4 muscle = muscle_word(along_word.w);
+  const float x = place.x, y = place.y;
+  const float g = muscle.z * exp(-0.5 * (x * x * muscle.x + y * y * muscle.y));
+  const float fade = bulge == bulge_paper ? 1.0 : place.z;
+  const float fade_slope = bulge == bulge_paper ? 0.0 : place.w;
+  height += g * fade;
+  gradient += g * ((fade_slope - x * muscle.x * fade) * along_axis - y * muscle.y * fade * across_axis);
 }
 
 void main() {
@@ -94,8 +77,8 @@ void main() {
   precise vec3 normal = uintBitsToFloat(word1.xyz);
 
   uvec4 header = uvec4(0);
-  uint detail = word0.w;
-  if (has_morphs || has_extra_influences || bulge != bulge_off) header = detail_word(detail++);
+  uint detail = word0.w & link_mask;
+  if (has_morphs || has_extra_influences) header = detail_word(detail++);
 
   if (has_morphs) {
     for (uint i = 0; i < header.x; ++i, detail += words_per_morph_delta) {
@@ -146,12 +129,14 @@ void main() {
   float height = 0.0;
   if (bulge != bulge_off) {
     vec3 gradient = vec3(0);
-    for (uint i = 0; i < header.z; ++i, detail += words_per_region) add_region(detail, height, gradient);
+    const uint regions = word0.w >> link_shift;
+    for (uint i = 0; i < regions; ++i, detail += words_per_region) add_region(detail, height, gradient);
     posed += height * outward;
     if (gradient != vec3(0) && determinant != 0.0) {
       // The swollen surface's normal is n' minus the tangential part of A^-T grad h: Sherman and Morrison's formula for
       // the cofactors of A + n' grad h^T.
-      vec3 tilt = vec3(dot(cofactor_x, gradient), dot(cofactor_y, gradient), dot(cofactor_z, gradient)) / determinant;
+      vec3 tilt = vec3(dot(cofactor_x, gradient), dot(cofactor_y, gradient), dot(cofactor_z, gradient));
+      tilt *= 1.0 / determinant;
       tilt -= dot(tilt, outward) * outward;
       const vec3 swollen = outward - tilt;
       outward = swollen * inversesqrt(dot(swollen, swollen));

@@ -1,19 +1,20 @@
 // What the program and the shaders share, in one place: this file is read by the C++ compiler and by glslang.
 //
 // Vertex record, 3 words of 16 bytes a vertex (48 bytes):
-//   word 0: position x, y, z (float), index of the vertex's detail header (uint; 0: none)
+//   word 0: position x, y, z (float), link (uint): number of muscle regions << link_shift | index of the details
 //   word 1: normal x, y, z (float), weight of influence 1 (float)
 //   word 2: joints 0 and 1, joints 2 and 3 (16 bits each, the lower first), weights of influences 2 and 3 (float)
 // The largest weight is not stored: it is 1 minus the others, so that the sum is exact whatever the rounding.
 //
-// Details, words of 16 bytes: what only some vertices have. Word 0 is an empty header. A header
-//   {number of morph deltas, 1 where there are influences 4 to 7 else 0, number of muscle regions, 0}
-// is followed by
+// Details, words of 16 bytes: what only some vertices have. Word 0 is zero and serves all vertices that have none. In a
+// character with morph targets or with more than 4 influences the details of a vertex begin with a header
+//   {number of morph deltas, 1 where there are influences 4 to 7 else 0, 0, 0}
 //   a morph delta:  {position x, y, z, morph slot (uint)} {normal x, y, z, 0}
 //   influences 4-7: {joints 4 and 5, joints 6 and 7, 0, 0} {their weights}
-//   a region entry: {x, y, t, held fade} {A0^T a, muscle index (uint)} {A0^T s, 0}        (body.md 6)
+// and in every character with muscles they end with its regions
+//   a region entry: {x, y, f, df/dt / length} {A0^T a, muscle index (uint)} {A0^T s, 0}   (body.md 6)
 //
-// Palette: 3 words a joint, the rows of its 3x4 matrix. Output: 2 words a vertex, {position, bulge height} {normal, 0}.
+// Palette: 3 words a joint, the rows of its 3x4 matrix. Muscles: 1 word each (MuscleWord). Output: 2 words a vertex, {position, bulge height} {normal, 0}.
 #ifndef SINEW_SHADERS_LAYOUT_H
 #define SINEW_SHADERS_LAYOUT_H
 
@@ -34,10 +35,11 @@ SINEW_CONSTANT workgroup_size = 256;
 SINEW_CONSTANT words_per_vertex = 3;
 SINEW_CONSTANT words_per_joint = 3;
 SINEW_CONSTANT words_per_output = 2;
-SINEW_CONSTANT words_per_muscle = 2;
 SINEW_CONSTANT words_per_morph_delta = 2;
 SINEW_CONSTANT words_per_extra = 2;
 SINEW_CONSTANT words_per_region = 3;
+SINEW_CONSTANT link_shift = 28;
+SINEW_CONSTANT link_mask = 0x0fffffffu;
 
 // Bindings of the deform pass, set 0.
 SINEW_CONSTANT binding_vertices = 0;
@@ -77,10 +79,9 @@ struct DeformPush {
   uint vertex_count;  // of this dispatch; its vertices and its output start at the bound ranges' beginning
 };
 
-// One muscle of one pose; two words.
-struct MuscleWords {
+// One muscle of one pose: one word.
+struct MuscleWord {
   vec4 gauss;  // 1 / sigma_along^2, 1 / sigma_across^2, delta * peak, unused
-  vec4 fade;   // from, to, 1 / q, 1 / segment length
 };
 
 struct FrameUniforms {
@@ -103,7 +104,7 @@ struct MaterialUniforms {
 
 #ifdef __cplusplus
 static_assert(sizeof(DeformPush) == 4);
-static_assert(sizeof(MuscleWords) == words_per_muscle * 16);
+static_assert(sizeof(MuscleWord) == 16);
 static_assert(sizeof(FrameUniforms) == 160 && offsetof(FrameUniforms, eye) == 64 && offsetof(FrameUniforms, shading) == 144);
 static_assert(sizeof(MaterialUniforms) == 32 && offsetof(MaterialUniforms, alpha_cutoff) == 16);
 }  // namespace sinew::layout

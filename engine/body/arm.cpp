@@ -14,35 +14,49 @@ namespace {
 /// The measures that limb_sections and hand_cage are drawn for.
 constexpr double elbow_x = 0.30, wrist_x = 0.56;
 
-/// Where the cage has rings: closer at the elbow, so that it bends round.
-constexpr double ring_stations[] = {-0.052, -0.034, -0.010, 0.020, 0.052, 0.084, 0.116, 0.148, 0.180,
-                                    0.210,  0.234,  0.252,  0.268, 0.281, 0.292, 0.303, 0.314, 0.327,
-                                    0.343,  0.366,  0.396,  0.430, 0.465, 0.498, 0.524, 0.545, 0.560};
-constexpr double cap_x = -0.062;
+/// The shoulder is cut off by a plane, as a sculpture's fragment is: further out at the deltoid than in the armpit.
+constexpr double cut_x = -0.056, cut_slope = -0.30;
+/// The cut's edge is rounded over this length.
+constexpr double bevel = 0.010;
+/// From here outwards the rings stand straight.
+constexpr double straight_x = 0.084;
+
+/// Where the cage has rings: closer where the elbow bends and where the biceps swells.
+constexpr double ring_stations[] = {cut_x + bevel, -0.026, 0.002, 0.030, 0.058, 0.084, 0.112, 0.124, 0.136,
+                                    0.149,         0.163,  0.179, 0.198, 0.222, 0.250, 0.276, 0.298, 0.315,
+                                    0.334,         0.358,  0.390, 0.428, 0.468, 0.506, 0.538, 0.560};
 
 /// Between these the surface leaves the sections and follows the hand's cage alone.
 constexpr double sections_end = 0.530, cage_begins = 0.556;
-/// Towards the pole of the cap a section's direction loses its meaning.
-constexpr double cap_ends = -0.040, cap_blend = 0.016;
 
 constexpr int joint_count = 5;
 
-LimbRing section_ring(QuadCage& cage, double x) {
+/// How far behind the plane of the cut `p` lies.
+double behind_cut(const Vec3& p) { return p.x - cut_x - cut_slope * p.y; }
+
+LimbRing section_ring(QuadCage& cage, double station) {
+  const double slope = cut_slope * (1.0 - smoothstep01((station - cut_x) / (straight_x - cut_x)));
   LimbRing ring;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vec2 yz = limb_section(x, static_cast<double>(k) * 2.0 * std::numbers::pi / limb_ring_size);
+    const double angle = static_cast<double>(k) * 2.0 * std::numbers::pi / limb_ring_size;
+    const double x = station + slope * limb_section(station, angle).x;
+    const Vec2 yz = limb_section(x, angle);
     ring[k] = cage.add({x, yz.x, yz.y});
   }
   return ring;
 }
 
-/// Closes the shoulder by 3 x 3 quads: their outline is the ring, their four inner corners form a shallow dome.
-void close_shoulder(QuadCage& cage, const LimbRing& ring) {
+/// The flat face of the cut: a ring just inside its edge, within it 3 x 3 quads whose outline is that ring.
+void close_shoulder(QuadCage& cage, const LimbRing& edge) {
+  const auto on_cut = [&](std::uint32_t vertex, double share, double rise) {
+    const Vec3& p = cage.positions[vertex];
+    return cage.add({cut_x + cut_slope * share * p.y - rise, share * p.y, share * p.z});
+  };
+  LimbRing ring;
+  for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = on_cut(edge[k], 0.85, 0.0);
+  cage.bridge(ring, edge);
   std::array<std::uint32_t, 4> inner;
-  for (std::size_t corner = 0; corner < inner.size(); ++corner) {
-    const Vec3& outer = cage.positions[ring[3 * corner]];
-    inner[corner] = cage.add({cap_x, 0.42 * outer.y, 0.42 * outer.z});
-  }
+  for (std::size_t corner = 0; corner < inner.size(); ++corner) inner[corner] = on_cut(edge[3 * corner], 0.40, 0.001);
   for (std::size_t corner = 0; corner < inner.size(); ++corner) {
     const std::size_t k = 3 * corner, next = (corner + 1) % inner.size();
     const auto at = [&](std::size_t step) { return ring[(k + step + ring.size()) % ring.size()]; };
@@ -69,7 +83,7 @@ QuadCage arm_cage() {
 void lay_on_sections(std::vector<Vec3>& positions) {
   for (Vec3& p : positions) {
     const double share = (1.0 - smoothstep01((p.x - sections_end) / (cage_begins - sections_end))) *
-                         smoothstep01((p.x - cap_ends) / cap_blend);
+                         smoothstep01((behind_cut(p) - 0.5 * bevel) / (0.5 * bevel));
     if (share == 0.0) continue;
     const Vec2 on_section = limb_section(p.x, limb_section_angle(p.x, {p.y, p.z}));
     p = glm::mix(p, Vec3{p.x, on_section.x, on_section.y}, share);
@@ -82,7 +96,7 @@ Vec3 fitted(const Vec3& p, const ArmShape& shape) {
   const double hand_scale = shape.hand_length / drawn_hand_length;
   const double x = upper * std::min(p.x, elbow_x) + lower * std::clamp(p.x - elbow_x, 0.0, wrist_x - elbow_x) +
                    hand_scale * std::max(p.x - wrist_x, 0.0);
-  const double across = glm::mix(shape.thickness, hand_scale, smoothstep01((p.x - 0.50) / (wrist_x - 0.50)));
+  const double across = glm::mix(shape.thickness, hand_scale, smoothstep01((p.x - 0.53) / 0.07));
   return {x, across * p.y, across * p.z};
 }
 
@@ -91,11 +105,12 @@ double behind(double x, double joint_x, double half_width) {
   return smoothstep01(0.5 * (x - joint_x) / half_width + 0.5);
 }
 
-/// Weights by place along the straight limb, in the drawn measures. Seven tenths of the radius at the elbow keep it
-/// solid when it is bent far.
+/// Weights by place along the straight limb, in the drawn measures. The olecranon is the ulna's: on the extensor side
+/// the lower arm begins before the joint's axis, so that the bent elbow has its point.
 std::vector<Influence> influences_at(const Vec3& drawn) {
+  const double extensor = smoothstep01((-0.006 - drawn.z) / 0.024);
   const double s = behind(drawn.x, -0.032, 0.026);
-  const double e = behind(drawn.x, elbow_x, 0.028);
+  const double e = behind(drawn.x, elbow_x - 0.026 * extensor, 0.040);
   const double h = behind(drawn.x, wrist_x, 0.022);
   const double weights[] = {1 - s, s * (1 - e), s * e * (1 - h), s * e * h};
   std::vector<Influence> run;
@@ -107,7 +122,7 @@ std::vector<Influence> influences_at(const Vec3& drawn) {
 
 void add_skeleton(Model& model, const ArmShape& shape) {
   const char* const names[joint_count] = {"leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand", "leftHandTip"};
-  const double x[joint_count] = {cap_x * shape.upper_arm_length / elbow_x, 0.0, shape.upper_arm_length,
+  const double x[joint_count] = {cut_x * shape.upper_arm_length / elbow_x, 0.0, shape.upper_arm_length,
                                  shape.upper_arm_length + shape.lower_arm_length,
                                  shape.upper_arm_length + shape.lower_arm_length + shape.hand_length};
   Skin skin{.name = "arm", .joints = {}, .inverse_bind = {}};

@@ -11,7 +11,7 @@ namespace sinew {
 constexpr std::size_t limb_ring_size = 12;
 
 /// From the wrist to the tip of the middle finger as add_hand draws them, along the arm's axis, metres.
-constexpr double drawn_hand_length = 0.1775;
+constexpr double drawn_hand_length = 0.1700;
 
 /// A ring of the arm's cage: vertex k lies in the direction of k * 30 degrees, from +Y over +Z.
 using LimbRing = std::array<std::uint32_t, limb_ring_size>;

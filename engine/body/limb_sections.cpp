@@ -1,114 +1,151 @@
 #include "engine/body/limb_sections.h"
 
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <span>
 
 namespace sinew {
 namespace {
 
-/// How far the surface lies from the axis on four sides; between them a section is four quarters of ellipses.
-struct Section {
-  double x;                                ///< metres along the axis
-  double thumb, flexor, little, extensor;  ///< metres towards +Y, +Z, -Y, -Z
+/// A strand's cross section: a disc.
+struct Disc {
+  double x;       ///< metres along the axis
+  double y, z;    ///< its centre: towards the thumb, towards the flexor side
+  double radius;  ///< metres
 };
 
-/// The four outlines of an athletic adult's arm, palm forward. Girths were laid beside a measured body of 1.8 m
-/// (MakeHuman's CC0 figure: upper arm 0.31 m, elbow and forearm 0.26 m, wrist 0.14 m at the joint).
-constexpr Section sections[] = {{-0.062, 0.014, 0.014, 0.014, 0.014},    {-0.052, 0.033, 0.033, 0.031, 0.033},
-                                {-0.034, 0.050, 0.049, 0.045, 0.049},    {-0.010, 0.060, 0.058, 0.0495, 0.057},
-                                {0.018, 0.066, 0.061, 0.0495, 0.060},    {0.045, 0.066, 0.060, 0.0475, 0.059},
-                                {0.072, 0.062, 0.056, 0.046, 0.057},     {0.099, 0.053, 0.051, 0.0445, 0.057},
-                                {0.126, 0.0455, 0.050, 0.045, 0.057},    {0.153, 0.0445, 0.0525, 0.0455, 0.056},
-                                {0.180, 0.0450, 0.0545, 0.0445, 0.0525}, {0.207, 0.0440, 0.0525, 0.0425, 0.047},
-                                {0.232, 0.0420, 0.047, 0.0405, 0.0415},  {0.252, 0.0405, 0.042, 0.0395, 0.038},
-                                {0.275, 0.0405, 0.040, 0.0400, 0.037},   {0.300, 0.0405, 0.040, 0.0385, 0.037},
-                                {0.320, 0.0445, 0.0415, 0.0400, 0.037},  {0.343, 0.049, 0.0425, 0.043, 0.037},
-                                {0.367, 0.0485, 0.042, 0.0440, 0.037},   {0.391, 0.045, 0.040, 0.0425, 0.036},
-                                {0.419, 0.0405, 0.037, 0.039, 0.034},    {0.447, 0.036, 0.033, 0.035, 0.031},
-                                {0.475, 0.033, 0.029, 0.032, 0.0275},    {0.502, 0.031, 0.026, 0.030, 0.0245},
-                                {0.526, 0.0300, 0.0235, 0.029, 0.0215},  {0.546, 0.030, 0.0215, 0.029, 0.0195},
-                                {0.560, 0.0305, 0.0205, 0.0295, 0.0185}, {0.580, 0.034, 0.0190, 0.032, 0.0170}};
+/// A muscle, a tendon or a bone: discs strung along the arm, x rising. Its ends lie inside other strands.
+using Strand = std::span<const Disc>;
 
-/// A swelling or a hollow that the four outlines cannot say: a Gaussian in x and in angle.
-struct Relief {
-  double x, angle;       ///< metres; degrees as in limb_section
-  double length, width;  ///< standard deviations, metres and degrees
-  double height;         ///< metres outwards
-};
+// An athletic adult's arm, palm forward. Girths were laid beside a measured body of 1.8 m (MakeHuman's CC0 figure:
+// upper arm 0.31 m, elbow and forearm 0.26 m, wrist 0.14 m at the joint).
 
-constexpr Relief reliefs[] = {
-    {0.176, 88, 0.040, 32, 0.0085},    // biceps
-    {0.122, 320, 0.032, 22, 0.0065},   // triceps, lateral head
-    {0.150, 236, 0.046, 26, 0.0065},   // triceps, long head
-    {0.215, 276, 0.026, 22, -0.0040},  // triceps tendon
-    {0.190, 10, 0.042, 15, -0.0055},   // groove between biceps and triceps, outer side
-    {0.175, 166, 0.055, 15, -0.0050},  // the same, inner side
-    {0.045, 88, 0.020, 14, -0.0030},   // deltoid's front edge, down to where it ends
-    {0.075, 66, 0.020, 14, -0.0055},
-    {0.104, 44, 0.018, 14, -0.0055},
-    {0.060, 296, 0.020, 15, -0.0030},  // deltoid's rear edge
-    {0.096, 336, 0.018, 14, -0.0035},
-    {0.302, 268, 0.019, 22, 0.0085},  // olecranon, and the hollows on both sides of it
-    {0.300, 224, 0.020, 17, -0.0035},
-    {0.302, 314, 0.020, 17, -0.0040},
-    {0.279, 188, 0.020, 26, 0.0030},   // medial epicondyle
-    {0.290, 350, 0.016, 18, 0.0012},   // lateral epicondyle
-    {0.302, 92, 0.016, 26, -0.0050},   // crook of the elbow
-    {0.346, 44, 0.034, 24, 0.0065},    // brachioradialis
-    {0.365, 140, 0.044, 26, 0.0060},   // flexors
-    {0.370, 312, 0.042, 22, 0.0055},   // extensors
-    {0.375, 242, 0.060, 15, -0.0035},  // along the ulna
-    {0.385, 94, 0.050, 14, -0.0035},   // between brachioradialis and flexors
-    {0.390, 352, 0.045, 14, -0.0025},  // between brachioradialis and extensors
-    {0.545, 222, 0.010, 20, 0.0030},   // head of the ulna
-    {0.540, 330, 0.014, 22, 0.0012},   // styloid of the radius
-};
+constexpr Disc humerus[] = {{-0.080, 0.006, 0, 0.042}, {0.000, 0.006, 0, 0.040}, {0.060, 0.000, 0, 0.030},
+                            {0.200, 0.000, 0, 0.026},  {0.260, 0.000, 0, 0.026}, {0.290, 0.000, 0, 0.029},
+                            {0.330, 0.000, 0, 0.026}};
+/// What closes the armpit: the tendons of the breast and of the back.
+constexpr Disc armpit[] = {
+    {-0.080, -0.014, 0, 0.038}, {-0.020, -0.013, 0, 0.035}, {0.030, -0.0105, 0.001, 0.031}, {0.080, -0.008, 0, 0.026}};
 
-/// Cubic Hermite through the table with slopes from both neighbours; held beyond its ends.
-Section section_at(double x) {
-  x = std::clamp(x, std::begin(sections)->x, std::prev(std::end(sections))->x);
-  const Section* after = std::upper_bound(std::begin(sections) + 1, std::prev(std::end(sections)), x,
-                                          [](double value, const Section& s) { return value < s.x; });
-  const Section* before = after - 1;
-  const Section* earlier = before == std::begin(sections) ? before : before - 1;
-  const Section* later = after == std::prev(std::end(sections)) ? after : after + 1;
-  const double step = after->x - before->x, t = (x - before->x) / step;
-  const double in = step / (after->x - earlier->x), out = step / (later->x - before->x);
-  const auto curve = [&](double Section::*side) {
-    const double slope_in = (after->*side - earlier->*side) * in, slope_out = (later->*side - before->*side) * out;
-    const double rise = after->*side - before->*side;
-    return before->*side +
-           t * (slope_in + t * (3 * rise - 2 * slope_in - slope_out + t * (slope_in + slope_out - 2 * rise)));
+constexpr Disc deltoid_middle[] = {{-0.100, 0.012, 0, 0.034},      {-0.030, 0.032, 0.000, 0.0355},
+                                   {0.030, 0.034, 0.001, 0.034},   {0.075, 0.029, 0.004, 0.027},
+                                   {0.115, 0.026, 0.006, 0.0190}, {0.150, 0.023, 0.007, 0.010}};
+constexpr Disc deltoid_front[] = {{-0.100, 0.000, 0.014, 0.030}, {-0.030, 0.010, 0.026, 0.033},
+                                  {0.030, 0.016, 0.028, 0.030},  {0.070, 0.020, 0.0235, 0.0235},
+                                  {0.105, 0.0235, 0.016, 0.0150},  {0.140, 0.023, 0.010, 0.008}};
+constexpr Disc deltoid_rear[] = {{-0.100, 0.000, -0.014, 0.030}, {-0.030, 0.010, -0.026, 0.033},
+                                 {0.030, 0.016, -0.028, 0.029},  {0.070, 0.021, -0.021, 0.0195},
+                                 {0.105, 0.024, -0.009, 0.013},  {0.140, 0.023, 0.002, 0.008}};
+
+constexpr Disc biceps[] = {{0.020, -0.006, 0.014, 0.018},   {0.060, -0.006, 0.019, 0.0200}, {0.110, -0.005, 0.0215, 0.0235},
+                           {0.150, -0.004, 0.0225, 0.0250}, {0.185, -0.003, 0.0220, 0.0245}, {0.215, -0.001, 0.0215, 0.0215},
+                           {0.245, 0.000, 0.0205, 0.0165},  {0.275, 0.002, 0.0195, 0.011},   {0.310, 0.004, 0.012, 0.006}};
+constexpr Disc brachialis[] = {{0.095, 0.014, 0.004, 0.010}, {0.135, 0.016, 0.006, 0.0165}, {0.180, 0.0195, 0.007, 0.0205}, {0.225, 0.019, 0.007, 0.0205},
+                               {0.265, 0.012, 0.007, 0.019}, {0.300, 0.004, 0.006, 0.014}};
+constexpr Disc triceps_outer[] = {{0.030, 0.010, -0.018, 0.018}, {0.080, 0.016, -0.026, 0.0235},
+                                  {0.120, 0.018, -0.0295, 0.025}, {0.160, 0.0165, -0.029, 0.0215},
+                                  {0.200, 0.012, -0.025, 0.015},  {0.240, 0.007, -0.020, 0.008}};
+constexpr Disc triceps_long[] = {{0.000, -0.012, -0.020, 0.022}, {0.050, -0.014, -0.025, 0.025},
+                                 {0.100, -0.0185, -0.028, 0.0270}, {0.145, -0.0190, -0.0295, 0.0265},
+                                 {0.185, -0.014, -0.028, 0.0215}, {0.220, -0.010, -0.024, 0.014},
+                                 {0.250, -0.006, -0.020, 0.008}};
+constexpr Disc triceps_inner[] = {{0.080, -0.012, -0.006, 0.012}, {0.140, -0.0175, -0.010, 0.0185}, {0.195, -0.0190, -0.011, 0.0195},
+                                  {0.240, -0.0165, -0.009, 0.0170}, {0.275, -0.012, -0.006, 0.015}};
+constexpr Disc triceps_tendon[] = {
+    {0.170, 0.000, -0.018, 0.018}, {0.220, 0.000, -0.0195, 0.019}, {0.260, -0.001, -0.0190, 0.018}, {0.290, -0.002, -0.018, 0.017}};
+
+constexpr Disc inner_epicondyle[] = {
+    {0.255, -0.020, -0.004, 0.012}, {0.280, -0.0275, -0.006, 0.0130}, {0.298, -0.025, -0.005, 0.012}, {0.320, -0.014, -0.004, 0.010}};
+constexpr Disc outer_epicondyle[] = {
+    {0.260, 0.022, -0.002, 0.012}, {0.287, 0.0270, -0.005, 0.0125}, {0.305, 0.025, -0.005, 0.012}, {0.325, 0.014, -0.004, 0.010}};
+constexpr Disc olecranon[] = {
+    {0.255, -0.002, -0.018, 0.012}, {0.277, -0.003, -0.0270, 0.0145}, {0.296, -0.003, -0.0275, 0.0140}, {0.330, -0.004, -0.020, 0.012}};
+
+constexpr Disc brachioradialis[] = {{0.215, 0.018, 0.006, 0.012}, {0.255, 0.0255, 0.010, 0.0155}, {0.295, 0.0295, 0.013, 0.0195},
+                                    {0.330, 0.0295, 0.015, 0.0210}, {0.365, 0.0275, 0.014, 0.0185}, {0.405, 0.0235, 0.011, 0.014},
+                                    {0.455, 0.0195, 0.008, 0.0095}, {0.530, 0.017, 0.004, 0.006}};
+constexpr Disc extensors[] = {{0.260, 0.022, -0.002, 0.011}, {0.300, 0.0255, -0.009, 0.0165}, {0.345, 0.0235, -0.0165, 0.0200},
+                              {0.385, 0.0195, -0.018, 0.0180}, {0.430, 0.015, -0.0155, 0.0135}, {0.490, 0.011, -0.011, 0.009},
+                              {0.550, 0.006, -0.008, 0.007}};
+constexpr Disc flexors[] = {{0.265, -0.022, 0.001, 0.011}, {0.305, -0.0235, 0.009, 0.018}, {0.345, -0.0225, 0.014, 0.0225},
+                            {0.390, -0.0190, 0.0135, 0.0212}, {0.435, -0.015, 0.0105, 0.0165}, {0.490, -0.011, 0.008, 0.0115},
+                            {0.550, -0.006, 0.007, 0.008}};
+constexpr Disc flexor_of_the_ulna[] = {{0.285, -0.022, -0.006, 0.012}, {0.330, -0.0235, -0.008, 0.0175},
+                                       {0.380, -0.0215, -0.008, 0.0172}, {0.430, -0.0185, -0.005, 0.014},
+                                       {0.490, -0.0165, -0.001, 0.011},  {0.550, -0.015, 0.001, 0.009}};
+constexpr Disc flexors_middle[] = {{0.325, 0.000, 0.006, 0.014}, {0.380, 0.001, 0.0135, 0.0160}, {0.430, 0.001, 0.0115, 0.0145},
+                                   {0.490, 0.000, 0.0085, 0.0125}, {0.550, 0.000, 0.0080, 0.0115}, {0.585, 0.000, 0.0080, 0.0115}};
+constexpr Disc radius_bone[] = {{0.310, 0.008, 0, 0.014},      {0.400, 0.0140, 0, 0.0140},    {0.480, 0.0175, 0, 0.0142},
+                                {0.520, 0.0175, 0.001, 0.0145}, {0.545, 0.0160, 0.001, 0.0160}, {0.585, 0.0140, 0.001, 0.0160}};
+constexpr Disc ulna[] = {{0.300, -0.005, -0.018, 0.013}, {0.380, -0.0100, -0.0145, 0.0125}, {0.460, -0.0145, -0.006, 0.0120},
+                         {0.515, -0.0165, -0.003, 0.0125}, {0.540, -0.0175, -0.005, 0.0140}, {0.558, -0.0160, -0.002, 0.0130},
+                         {0.585, -0.0150, 0.000, 0.0140}};
+constexpr Disc between_the_bones[] = {
+    {0.310, 0, 0.001, 0.027}, {0.350, 0, 0, 0.025}, {0.400, 0, 0, 0.020}, {0.460, 0, 0, 0.0165}, {0.520, 0, 0, 0.0155}, {0.585, 0, 0, 0.0165}};
+
+constexpr Strand strands[] = {humerus,        armpit,           deltoid_middle,   deltoid_front, deltoid_rear,
+                              biceps,         brachialis,       triceps_outer,    triceps_long,  triceps_inner,
+                              triceps_tendon, inner_epicondyle, outer_epicondyle, olecranon,     brachioradialis,
+                              extensors,      flexors, flexors_middle, flexor_of_the_ulna, radius_bone, ulna,
+                              between_the_bones};
+
+/// How far the skin rounds off the grooves between strands, metres.
+constexpr double skin_softness = 0.0038;
+
+/// No section reaches as far from the axis, metres.
+constexpr double farthest = 0.12;
+
+/// Towards the wrist sections grow flat: this much wider than thick.
+double flatness(double x) { return 1.0 + 0.5 * smoothstep01((x - 0.40) / 0.12); }
+
+/// The strand at `x`: cubic Hermite with slopes from both neighbours. Beyond an end it shrinks like a ball.
+Disc disc_at(Strand strand, double x) {
+  if (x <= strand.front().x) return {x, strand.front().y, strand.front().z, strand.front().radius - (strand.front().x - x)};
+  if (x >= strand.back().x) return {x, strand.back().y, strand.back().z, strand.back().radius - (x - strand.back().x)};
+  const std::size_t after = static_cast<std::size_t>(
+      std::ranges::upper_bound(strand, x, {}, &Disc::x) - strand.begin());
+  const Disc &b = strand[after], &a = strand[after - 1];
+  const Disc& earlier = strand[after == 1 ? 0 : after - 2];
+  const Disc& later = strand[std::min(after + 1, strand.size() - 1)];
+  const double step = b.x - a.x, t = (x - a.x) / step;
+  const double in = step / (b.x - earlier.x), out = step / (later.x - a.x);
+  const auto curve = [&](double Disc::*number) {
+    const double slope_in = (b.*number - earlier.*number) * in, slope_out = (later.*number - a.*number) * out;
+    const double rise = b.*number - a.*number;
+    return a.*number + t * (slope_in + t * (3 * rise - 2 * slope_in - slope_out + t * (slope_in + slope_out - 2 * rise)));
   };
-  return {x, curve(&Section::thumb), curve(&Section::flexor), curve(&Section::little), curve(&Section::extensor)};
+  return {x, curve(&Disc::y), curve(&Disc::z), curve(&Disc::radius)};
 }
 
-double relief_at(double x, double angle) {
-  double height = 0.0;
-  for (const Relief& relief : reliefs) {
-    const double along = (x - relief.x) / relief.length;
-    const double turn = std::remainder(angle * radians_to_degrees - relief.angle, 360.0) / relief.width;
-    height += relief.height * std::exp(-0.5 * (along * along + turn * turn));
-  }
-  return height;
+using Section = std::array<Disc, std::size(strands)>;
+
+Section section_at(double x) {
+  Section section;
+  for (std::size_t i = 0; i < section.size(); ++i) section[i] = disc_at(strands[i], x);
+  return section;
 }
 
-Vec2 half_axes(const Section& section, const Vec2& direction) {
-  return {direction.x >= 0 ? section.thumb : section.little, direction.y >= 0 ? section.flexor : section.extensor};
+/// True where the skin over the discs lies outside `p`: the soft minimum of the distances to them is negative.
+bool under_skin(const Section& section, const Vec2& p) {
+  double sum = 0.0;
+  for (const Disc& disc : section)
+    sum += std::exp((disc.radius - glm::distance(p, Vec2{disc.y, disc.z})) / skin_softness);
+  return sum > 1.0;
 }
 
 }  // namespace
 
 Vec2 limb_section(double x, double angle) {
-  const Vec2 direction{std::cos(angle), std::sin(angle)};
-  const Vec2 axes = half_axes(section_at(x), direction);
-  const Vec2 outwards = glm::normalize(Vec2{direction.x * axes.y, direction.y * axes.x});
-  return direction * axes + relief_at(x, angle) * outwards;
+  const Section section = section_at(x);
+  const Vec2 direction = glm::normalize(Vec2{flatness(x) * std::cos(angle), std::sin(angle)});
+  double inside = 0.0, outside = farthest;
+  while (outside - inside > 1e-9) {
+    const double middle = 0.5 * (inside + outside);
+    (under_skin(section, middle * direction) ? inside : outside) = middle;
+  }
+  return inside * direction;
 }
 
-double limb_section_angle(double x, const Vec2& yz) {
-  const Vec2 axes = half_axes(section_at(x), yz);
-  return std::atan2(yz.y / axes.y, yz.x / axes.x);
-}
+double limb_section_angle(double x, const Vec2& yz) { return std::atan2(yz.y, yz.x / flatness(x)); }
 
 }  // namespace sinew

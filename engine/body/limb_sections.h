@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of the arm from the shoulder's cap to the wrist: cross sections strung along a straight axis.
+/// The surface of the arm from the shoulder to the wrist: a skin drawn over muscles and bones along a straight axis.
 
 #include "engine/core/math.h"
 

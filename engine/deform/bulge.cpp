@@ -17,17 +17,10 @@ Swelling swelling(const ActiveMuscle& active, const RegionVertex& v, BulgeMode m
   const double amplitude = active.activation * m.peak;
   const double u = v.x / m.sigma.x, w = v.y / m.sigma.y;
   const double g = std::exp(-0.5 * (u * u + w * w));
-  double fade = 1.0, fade_slope = 0.0;
-  if (mode == BulgeMode::on) {
-    const double q = (m.to - m.from) / 4.0;
-    const double begin = (v.t - m.from) / q, end = (m.to - v.t) / q;
-    const double held = smoothstep01((m.spread - v.angle) / 20.0) * smoothstep01((v.share - 0.5) / 0.25);
-    fade = smoothstep01(begin) * smoothstep01(end) * held;
-    fade_slope = (smoothstep01_slope(begin) * smoothstep01(end) - smoothstep01(begin) * smoothstep01_slope(end)) / q * held;
-  }
-  const double along = -v.x / (m.sigma.x * m.sigma.x) * g * fade + g * fade_slope / plane.length;
-  const double across = -v.y / (m.sigma.y * m.sigma.y) * g * fade;
-  return {amplitude * g * fade, amplitude * (along * plane.axis + across * plane.side)};
+  const RegionFade fade = mode == BulgeMode::paper ? RegionFade{} : region_fade(m, v);
+  const double along = -v.x / (m.sigma.x * m.sigma.x) * g * fade.value + g * fade.slope / plane.length;
+  const double across = -v.y / (m.sigma.y * m.sigma.y) * g * fade.value;
+  return {amplitude * g * fade.value, amplitude * (along * plane.axis + across * plane.side)};
 }
 
 /// Two directions with t1 x t2 = n.

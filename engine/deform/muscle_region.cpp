@@ -107,4 +107,12 @@ double limb_radius(const Model& model, const CharacterMesh& mesh, const RestShap
   return 0.0;
 }
 
+RegionFade region_fade(const Muscle& muscle, const RegionVertex& v) {
+  const double q = (muscle.to - muscle.from) / 4.0;
+  const double begin = (v.t - muscle.from) / q, end = (muscle.to - v.t) / q;
+  const double held = smoothstep01((muscle.spread - v.angle) / 20.0) * smoothstep01((v.share - 0.5) / 0.25);
+  return {smoothstep01(begin) * smoothstep01(end) * held,
+          (smoothstep01_slope(begin) * smoothstep01(end) - smoothstep01(begin) * smoothstep01_slope(end)) / q * held};
+}
+
 }  // namespace sinew

@@ -49,4 +49,12 @@ Result<MuscleRegion> muscle_region(const Model& model, const CharacterMesh& mesh
 double limb_radius(const Model& model, const CharacterMesh& mesh, const RestShape& rest, const Muscle& muscle,
                    const MuscleRegion& region);
 
+/// f of body.md 6: what takes the Gaussian to zero towards the region's edge.
+struct RegionFade {
+  double value = 1.0;
+  double slope = 0.0;  ///< its change with t, by the two end fades; the others are held
+};
+
+RegionFade region_fade(const Muscle& muscle, const RegionVertex& v);
+
 }  // namespace sinew

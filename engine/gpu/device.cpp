@@ -50,7 +50,8 @@ std::string refusal(const vk::raii::PhysicalDevice& physical) {
   if (!find_queue_family(physical)) return "it has no queue for both graphics and compute";
   const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
   const auto& core13 = features.get<vk::PhysicalDeviceVulkan13Features>();
-  if (!core13.dynamicRendering || !core13.synchronization2) return "it lacks dynamic rendering or synchronization2";
+  if (!core13.dynamicRendering || !core13.synchronization2 || !core13.maintenance4)
+    return "it lacks dynamic rendering, synchronization2 or maintenance4";
   return {};
 }
 
@@ -156,6 +157,7 @@ void create_logical_device(VulkanDevice& vulkan) {
   vk::PhysicalDeviceVulkan13Features core13;
   core13.dynamicRendering = true;
   core13.synchronization2 = true;
+  core13.maintenance4 = true;
   vk::PhysicalDeviceFeatures2 features;
   features.features.samplerAnisotropy = vulkan.anisotropy;
   features.pNext = &core13;

@@ -56,7 +56,7 @@ void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const C
   const std::size_t joints = mesh.palette.size() * layout::words_per_joint;
   d.palette = vulkan.create_buffer(joints * sizeof(Word), usage, MemoryUse::upload);
   d.morph_weights = vulkan.create_buffer(mesh.morph_slots.size() * sizeof(float), usage, MemoryUse::upload);
-  d.muscle_words = vulkan.create_buffer(d.muscles.size() * sizeof(layout::MuscleWords), usage, MemoryUse::upload);
+  d.muscle_words = vulkan.create_buffer(d.muscles.size() * sizeof(layout::MuscleWord), usage, MemoryUse::upload);
   const auto output_usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eTransferSrc;
   d.output = vulkan.create_buffer(d.vertices * output_bytes, output_usage, MemoryUse::device);
 }
@@ -220,7 +220,7 @@ void GpuDeformer::set_state(const GpuDeformState& state) {
   pack_palette(state.palette, impl_->palette.as<Vec4f>());
   const std::span<float> weights = impl_->morph_weights.as<float>();
   for (std::size_t i = 0; i < state.morph_weights.size(); ++i) weights[i] = static_cast<float>(state.morph_weights[i]);
-  const std::span<layout::MuscleWords> words = impl_->muscle_words.as<layout::MuscleWords>();
+  const std::span<layout::MuscleWord> words = impl_->muscle_words.as<layout::MuscleWord>();
   for (std::size_t i = 0; i < impl_->muscles.size(); ++i) words[i] = pack_muscle(impl_->muscles[i], state.activations[i]);
 }
 

@@ -1,7 +1,6 @@
 #include "engine/gpu/packing.h"
 
 #include <bit>
-#include <limits>
 
 namespace sinew {
 namespace {
@@ -47,6 +46,9 @@ class Packer {
   Packer(const CharacterMesh& mesh, const RestShape& rest, std::span<const PlacedMuscle> muscles)
       : mesh_(mesh), rest_(rest), muscles_(muscles), regions_(regions_by_vertex(mesh.vertices(), muscles)) {
     packed_.details.push_back({});
+    packed_.has_morphs = !mesh.morph_deltas.empty();
+    for (std::size_t v = 0; v < mesh.vertices(); ++v)
+      packed_.has_extra_influences |= mesh.influences.first[v + 1] - mesh.influences.first[v] > 4;
   }
 
   void add(std::size_t v, const PaddedRun& run) {
@@ -60,20 +62,18 @@ class Packer {
   PackedCharacter finish() { return std::move(packed_); }
 
  private:
-  /// Index of the vertex's header, 0 where it has no details.
+  /// The vertex's link, 0 where it has no details.
   std::uint32_t add_details(std::size_t v, const PaddedRun& run) {
     const std::uint32_t morphs = mesh_.morph_first[v + 1] - mesh_.morph_first[v];
     const std::uint32_t extra = run.count > 4 ? 1 : 0;
     const auto regions = static_cast<std::uint32_t>(regions_[v].size());
     if (morphs == 0 && extra == 0 && regions == 0) return 0;
-    const auto header = static_cast<std::uint32_t>(packed_.details.size());
-    packed_.details.push_back({morphs, extra, regions, 0});
+    const auto index = static_cast<std::uint32_t>(packed_.details.size());
+    if (packed_.has_morphs || packed_.has_extra_influences) packed_.details.push_back({morphs, extra, 0, 0});
     for (std::uint32_t i = mesh_.morph_first[v]; i < mesh_.morph_first[v + 1]; ++i) add_morph(mesh_.morph_deltas[i]);
     if (extra != 0) add_extra(run);
     for (const RegionEntry& entry : regions_[v]) add_region(v, entry);
-    packed_.has_morphs |= morphs != 0;
-    packed_.has_extra_influences |= extra != 0;
-    return header;
+    return regions << layout::link_shift | index;
   }
 
   void add_morph(const MorphDelta& delta) {
@@ -90,9 +90,9 @@ class Packer {
     const Muscle& muscle = muscles_[entry.muscle].muscle;
     const ProjectionPlane& plane = muscles_[entry.muscle].region.plane;
     const RegionVertex& r = *entry.place;
-    const double held = smoothstep01((muscle.spread - r.angle) / 20.0) * smoothstep01((r.share - 0.5) / 0.25);
+    const RegionFade fade = region_fade(muscle, r);
     const Mat3 to_bind = glm::transpose(rest_.blend[v]);
-    packed_.details.push_back({bits(r.x), bits(r.y), bits(r.t), bits(held)});
+    packed_.details.push_back({bits(r.x), bits(r.y), bits(fade.value), bits(fade.slope / plane.length)});
     packed_.details.push_back(word(to_bind * plane.axis, entry.muscle));
     packed_.details.push_back(word(to_bind * plane.side, 0));
   }
@@ -111,6 +111,10 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
                                        std::span<const RigidDuplicate> duplicates) {
   if (mesh.palette.size() > 65536)
     return bad_input("the character has {} joints over all skins; 65,536 is the most", mesh.palette.size());
+  constexpr std::size_t most_muscles = 1u << (32 - layout::link_shift);
+  for (const std::vector<RegionEntry>& regions : regions_by_vertex(mesh.vertices(), muscles))
+    if (regions.size() >= most_muscles)
+      return bad_input("a vertex lies in the regions of {} muscles; {} is the most", regions.size(), most_muscles - 1);
   Packer packer(mesh, rest, muscles);
   for (std::size_t v = 0; v < mesh.vertices(); ++v) packer.add(v, padded_run(mesh.influences, v));
   for (const RigidDuplicate& duplicate : duplicates) {
@@ -121,8 +125,9 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
     packer.add(duplicate.vertex, run);
   }
   PackedCharacter packed = packer.finish();
-  if (packed.details.size() > std::numeric_limits<std::uint32_t>::max())
-    return bad_input("the character's morph targets need {} words, more than can be addressed", packed.details.size());
+  if (packed.details.size() > layout::link_mask)
+    return bad_input("the character's morph targets need {} words, {} is the most", packed.details.size(),
+                     layout::link_mask);
   return packed;
 }
 
@@ -131,13 +136,9 @@ void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words) {
     for (std::size_t row = 0; row < 3; ++row) words[i * layout::words_per_joint + row] = Vec4f(palette[i].row[row]);
 }
 
-layout::MuscleWords pack_muscle(const PlacedMuscle& placed, double activation) {
+layout::MuscleWord pack_muscle(const PlacedMuscle& placed, double activation) {
   const Muscle& m = placed.muscle;
-  const double q = (m.to - m.from) / 4.0;
-  layout::MuscleWords words;
-  words.gauss = Vec4f(Vec4(1.0 / (m.sigma.x * m.sigma.x), 1.0 / (m.sigma.y * m.sigma.y), activation * m.peak, 0.0));
-  words.fade = Vec4f(Vec4(m.from, m.to, 1.0 / q, 1.0 / placed.region.plane.length));
-  return words;
+  return {Vec4f(Vec4(1.0 / (m.sigma.x * m.sigma.x), 1.0 / (m.sigma.y * m.sigma.y), activation * m.peak, 0.0))};
 }
 
 }  // namespace sinew

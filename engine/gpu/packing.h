@@ -21,7 +21,7 @@ struct Word {
 
 struct PackedCharacter {
   std::vector<Word> vertices;  ///< [vertices * layout::words_per_vertex]
-  std::vector<Word> details;   ///< headers and what follows them; word 0 is the empty header
+  std::vector<Word> details;   ///< of the vertices that have any; word 0 is zero
   bool has_morphs = false;
   bool has_extra_influences = false;
 
@@ -29,7 +29,8 @@ struct PackedCharacter {
 };
 
 /// Packs the mesh's vertices, followed by the `duplicates` of a rigid split (each follows one joint only).
-/// Fails where the palette has more than 65,536 joints or the details more than 2^32 words.
+/// Fails where the palette has more than 65,536 joints, a vertex lies in more than 15 regions, or the details are more
+/// than 2^28 words.
 Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShape& rest,
                                        std::span<const PlacedMuscle> muscles,
                                        std::span<const RigidDuplicate> duplicates = {});
@@ -38,6 +39,6 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
 void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words);
 
 /// A muscle at an activation.
-layout::MuscleWords pack_muscle(const PlacedMuscle& placed, double activation);
+layout::MuscleWord pack_muscle(const PlacedMuscle& placed, double activation);
 
 }  // namespace sinew
