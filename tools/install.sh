@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Installs the packages of tools/packages.txt that are missing. Sourced by demo.sh and test.sh.
+set -euo pipefail
+
+install_packages() {
+  local wanted missing=()
+  mapfile -t wanted < <(grep -vE '^\s*(#|$)' "$(dirname "${BASH_SOURCE[0]}")/packages.txt")
+  for package in "${wanted[@]}"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then return; fi
+  local sudo=""
+  if [ "$(id -u)" -ne 0 ]; then sudo="sudo"; fi
+  echo "installing: ${missing[*]}"
+  $sudo apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+}
+
+# A runtime folder that Vulkan's drivers look for, and a shader cache of this tree's own.
+prepare_environment() {
+  export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-$(mktemp -d)}"
+  export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$PWD/build/shader-cache}"
+  mkdir -p "$MESA_SHADER_CACHE_DIR"
+}
