@@ -141,6 +141,7 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, bo
   problems.insert(problems.end(), model.problems.begin(), model.problems.end());
   character.order = hierarchy_order(model);
   character.rest_rotations = rest_rotations(model, character.order);
+  if (auto ok = check_drawn_vertices(model); !ok) return ok;
   character.mesh = character_mesh(model);
   if (options.vertices > 0) {
     auto mesh = resample(character.mesh, options.vertices);

@@ -22,9 +22,9 @@ constexpr double bevel = 0.010;
 constexpr double straight_x = 0.084;
 
 /// Where the cage has rings: closer where the elbow bends and where the biceps swells.
-constexpr double ring_stations[] = {cut_x + bevel, -0.026, 0.002, 0.030, 0.058, 0.084, 0.112, 0.124, 0.136,
-                                    0.149,         0.163,  0.179, 0.198, 0.222, 0.250, 0.276, 0.298, 0.315,
-                                    0.334,         0.358,  0.390, 0.428, 0.468, 0.506, 0.538, 0.560};
+constexpr double ring_stations[] = {cut_x + bevel, -0.025, 0.004, 0.034, 0.064, 0.102, 0.118, 0.134, 0.149,
+                                    0.165,         0.182,  0.202, 0.226, 0.252, 0.277, 0.297, 0.312, 0.327,
+                                    0.345,         0.366,  0.394, 0.428, 0.468, 0.506, 0.538, 0.560};
 
 /// Between these the surface leaves the sections and follows the hand's cage alone.
 constexpr double sections_end = 0.530, cage_begins = 0.556;
@@ -110,7 +110,7 @@ double behind(double x, double joint_x, double half_width) {
 std::vector<Influence> influences_at(const Vec3& drawn) {
   const double extensor = smoothstep01((-0.006 - drawn.z) / 0.024);
   const double s = behind(drawn.x, -0.032, 0.026);
-  const double e = behind(drawn.x, elbow_x - 0.026 * extensor, 0.040);
+  const double e = behind(drawn.x, elbow_x - 0.027 * extensor, 0.039 + 0.004 * extensor);
   const double h = behind(drawn.x, wrist_x, 0.022);
   const double weights[] = {1 - s, s * (1 - e), s * e * (1 - h), s * e * h};
   std::vector<Influence> run;

@@ -20,12 +20,12 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
 
 }  // namespace
 
-Result<Image> decode_image(std::span<const unsigned char> encoded) {
+Result<Picture> decode_image(std::span<const unsigned char> encoded) {
   if (encoded.empty()) return bad_input("an empty picture; expected PNG or JPEG");
   if (encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     return bad_input("a picture of {} bytes is too large", encoded.size());
   const int size = static_cast<int>(encoded.size());
-  Image image;
+  Picture image;
   int channels = 0;
   if (stbi_info_from_memory(encoded.data(), size, &image.width, &image.height, &channels) == 0)
     return bad_input("not a PNG or JPEG picture that can be read ({})", stbi_failure_reason());

@@ -16,6 +16,13 @@ void append_subtree(const Model& model, int root, std::vector<int>& order) {
   }
 }
 
+/// What the scene shows, depth first.
+std::vector<int> scene_nodes(const Model& model) {
+  std::vector<int> nodes;
+  for (int root : model.roots) append_subtree(model, root, nodes);
+  return nodes;
+}
+
 /// Builds a CharacterMesh primitive by primitive.
 class Gatherer {
  public:
@@ -113,9 +120,7 @@ class Gatherer {
 }  // namespace
 
 std::vector<int> hierarchy_order(const Model& model) {
-  std::vector<int> order;
-  order.reserve(model.nodes.size());
-  for (int root : model.roots) append_subtree(model, root, order);
+  std::vector<int> order = scene_nodes(model);
   std::vector<bool> seen(model.nodes.size());
   for (int node : order) seen[node] = true;
   for (std::size_t node = 0; node < model.nodes.size(); ++node)
@@ -125,10 +130,18 @@ std::vector<int> hierarchy_order(const Model& model) {
 
 CharacterMesh character_mesh(const Model& model) {
   Gatherer gatherer(model);
-  std::vector<int> drawn;
-  for (int root : model.roots) append_subtree(model, root, drawn);
-  for (int node : drawn) gatherer.add_node(node);
+  for (int node : scene_nodes(model)) gatherer.add_node(node);
   return gatherer.finish();
+}
+
+Result<void> check_drawn_vertices(const Model& model) {
+  std::size_t vertices = 0;
+  for (int node : scene_nodes(model))
+    if (model.nodes[node].mesh >= 0)
+      for (const Primitive& primitive : model.meshes[model.nodes[node].mesh].primitives)
+        vertices += primitive.positions.size();
+  if (vertices <= most_drawn_vertices) return {};
+  return bad_input("{}: its nodes draw {} vertices in all, {} is the most", model.file, vertices, most_drawn_vertices);
 }
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/math.h"
+#include "engine/core/result.h"
 #include "engine/model/model.h"
 
 namespace sinew {
@@ -61,6 +62,12 @@ struct CharacterMesh {
 
 /// Gathers what the model's scene draws.
 CharacterMesh character_mesh(const Model& model);
+
+/// A small file can draw one large mesh from many nodes; more vertices than this are not gathered.
+constexpr std::size_t most_drawn_vertices = 8'000'000;
+
+/// Fails as bad_input where the model's scene draws more than most_drawn_vertices.
+Result<void> check_drawn_vertices(const Model& model);
 
 /// Nodes so that a parent comes before its children, in scene order; nodes outside the scene follow.
 std::vector<int> hierarchy_order(const Model& model);

@@ -102,7 +102,7 @@ Picture base_colour_picture(const Model& model, const Material& material, std::v
     problems.push_back(fmt::format("images/{}: {}; shown as white", material.base_colour_image, decoded.error().message));
     return white;
   }
-  return {decoded->width, decoded->height, std::move(decoded->rgba)};
+  return std::move(*decoded);
 }
 
 layout::MaterialUniforms uniforms(const Material& material) {

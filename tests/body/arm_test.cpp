@@ -144,11 +144,20 @@ TEST(Arm, WeightsFollowThePlaceAlongTheLimb) {
     if (x < -0.05) {
       EXPECT_EQ(bone_at(v), "leftShoulder");
     }
-    if (x > 0.00 && x < 0.29) {
+    if (x > 0.00 && x < 0.26) {
       EXPECT_EQ(bone_at(v), "leftUpperArm");
     }
     if (x > 0.31 && x < 0.55) {
       EXPECT_EQ(bone_at(v), "leftLowerArm");
+    }
+    // Over the joint the flexor side is still the upper arm's, the olecranon behind it already the lower arm's.
+    if (x > 0.282 && x < 0.295) {
+      if (skin.positions[v].z > 0.0) {
+        EXPECT_EQ(bone_at(v), "leftUpperArm");
+      }
+      if (skin.positions[v].z < -0.031) {
+        EXPECT_EQ(bone_at(v), "leftLowerArm");
+      }
     }
     if (x > 0.57) {
       EXPECT_EQ(bone_at(v), "leftHand");
@@ -169,6 +178,46 @@ TEST(Arm, HasTheGirthsOfAnAthleticAdult) {
   EXPECT_LT(middle, 0.27);
   EXPECT_GT(wrist, 0.15);
   EXPECT_LT(wrist, 0.19);
+}
+
+/// How far the surface reaches at most in `direction` within half a centimetre of `x`.
+double reach(const Primitive& skin, double x, const Vec3& direction) {
+  double most = -1.0;
+  for (const Vec3& p : skin.positions)
+    if (std::abs(p.x - x) < 0.005) most = std::max(most, glm::dot(p, direction));
+  return most;
+}
+
+TEST(Arm, ShowsWhatLiesUnderTheSkin) {
+  const Model arm = make_arm();
+  const Primitive& skin = skin_of(arm);
+  const Vec3 outer{0, 1, 0}, front{0, 0, 1}, inner{0, -1, 0}, rear{0, 0, -1};
+  EXPECT_GT(reach(skin, 0.01, outer), reach(skin, 0.15, outer) + 0.020) << "deltoid, and where it ends";
+  EXPECT_GT(reach(skin, 0.15, front), reach(skin, 0.27, front) + 0.004) << "biceps over the crook of the elbow";
+  EXPECT_GT(reach(skin, 0.12, rear), reach(skin, 0.24, rear) + 0.012) << "triceps over its tendon";
+  EXPECT_GT(reach(skin, 0.285, rear), reach(skin, 0.245, rear) + 0.002) << "olecranon";
+  EXPECT_GT(reach(skin, 0.285, inner), reach(skin, 0.25, inner) + 0.002) << "inner epicondyle";
+  EXPECT_GT(reach(skin, 0.335, outer), reach(skin, 0.27, outer) + 0.006) << "brachioradialis";
+  EXPECT_GT(reach(skin, 0.52, outer) + reach(skin, 0.52, inner),
+            1.4 * (reach(skin, 0.52, front) + reach(skin, 0.52, rear)))
+      << "flat wrist";
+}
+
+TEST(Arm, IsCutOffAtTheShoulderByAPlane) {
+  const Model arm = make_arm();
+  const Primitive& skin = skin_of(arm);
+  const Vec3 outwards = glm::normalize(Vec3{-1.0, -0.30, 0.0});
+  double nearest = 1.0, farthest = -1.0;
+  int on_cut = 0;
+  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+    if (skin.positions[v].x > 0.0 || glm::dot(skin.normals[v], outwards) < 0.95) continue;
+    const double height = glm::dot(skin.positions[v], outwards);
+    nearest = std::min(nearest, height);
+    farthest = std::max(farthest, height);
+    ++on_cut;
+  }
+  EXPECT_GT(on_cut, 30);
+  EXPECT_LT(farthest - nearest, 0.003);
 }
 
 TEST(Arm, HandReachesItsLengthWithTheThumbUp) {

@@ -129,7 +129,8 @@ TEST_F(Export, ComputePassAndReferenceAgree) {
     const MeshFile gpu = read_ply(read("gpu.ply")), cpu = read_ply(read("cpu.ply"));
     EXPECT_LT(relative_distance(gpu.positions, cpu.positions), 1e-5) << "frame " << frame;
     for (std::size_t v = 0; v < std::min(gpu.normals.size(), cpu.normals.size()); ++v)
-      EXPECT_LT(glm::degrees(std::acos(std::min(1.0, glm::dot(gpu.normals[v], cpu.normals[v])))), 0.1) << "vertex " << v;
+      EXPECT_LT(glm::degrees(std::acos(std::min(1.0, glm::dot(gpu.normals[v], cpu.normals[v])))), 0.1)
+          << "vertex " << v;
     EXPECT_EQ(gpu.triangles, cpu.triangles);
   }
   // Were both always the same file, the above would prove nothing.
@@ -165,7 +166,7 @@ TEST_F(Export, BakedFileHoldsEveryFrame) {
   const Model baked = model("x.glb");
   ASSERT_EQ(baked.meshes.size(), 1u);
   const Primitive& primitive = baked.meshes[0].primitives.at(0);
-  ASSERT_EQ(primitive.morph_targets.size(), 4u) << "the first frame is the mesh, each later one a target";
+  EXPECT_EQ(primitive.morph_targets.size(), 5u) << "a target a frame";
   ASSERT_EQ(baked.clips.size(), 1u);
   EXPECT_NEAR(baked.clips[0].duration, 40.0 / 24.0, 1e-6);
   write_mesh({"--frame", "40", "-o", "last.ply"});
@@ -179,11 +180,13 @@ TEST_F(Export, RigIsTheModelAgain) {
   write_mesh({"--rig", "-o", "rig.glb"});
   const Model rig = model("rig.glb");
   EXPECT_TRUE(rig.problems.empty()) << rig.problems.front();
-  const auto scene = json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"}), copy = json({"info", "rig.glb"});
+  const auto scene = json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"});
+  const auto copy = json({"info", "rig.glb"});
   for (const char* key : {"vertices", "triangles", "joints", "max_influences", "humanoid", "morph_targets"})
     EXPECT_EQ(copy[key], scene[key]) << key;
   // The same motion moves it to the same place, and a rig of the rig is the same file.
-  for (const char* model : {"builtin:arm", "rig.glb"}) write_mesh({model, "--pose", "leftLowerArm=0,-90,0", "-o", std::string(model) == "rig.glb" ? "b.ply" : "a.ply"});
+  write_mesh({"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "-o", "a.ply"});
+  write_mesh({"rig.glb", "--pose", "leftLowerArm=0,-90,0", "-o", "b.ply"});
   EXPECT_LT(relative_distance(read_ply(read("a.ply")).positions, read_ply(read("b.ply")).positions), 1e-6);
   write_mesh({"rig.glb", "--rig", "-o", "again.glb"});
   EXPECT_EQ(json({"info", "again.glb"}), copy);

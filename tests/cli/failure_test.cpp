@@ -19,11 +19,13 @@ class Failure : public ProgramTest {
   }
 };
 
-const ProgramOptions no_driver{.environment = {{"VK_DRIVER_FILES", "/nonexistent"}, {"VK_ICD_FILENAMES", "/nonexistent"}}};
+const ProgramOptions no_driver{
+    .environment = {{"VK_DRIVER_FILES", "/nonexistent"}, {"VK_ICD_FILENAMES", "/nonexistent"}}};
 
 TEST_F(Failure, UnknownJointIsToldTheNearest) {
   expect_failure(3, {"render", "--pose", "leftLowerArn=0,-90,0", "-o", "x.png"}, {"leftLowerArn", "\"leftLowerArm\""});
-  expect_failure(3, {"export", arm(), "--pose", "leftHend=0,0,0", "-o", "x.obj"}, {"arm.glb", "leftHend", "\"leftHand\""});
+  expect_failure(3, {"export", arm(), "--pose", "leftHend=0,0,0", "-o", "x.obj"},
+                 {"arm.glb", "leftHend", "\"leftHand\""});
   expect_failure(3, {"parity", arm(), "--pose", "leftHend=0,0,0"}, {"arm.glb", "leftHend", "\"leftHand\""});
   expect_failure(3, {"info", arm(), "--pose", "leftHend=0,0,0"}, {"arm.glb", "leftHend", "\"leftHand\""});
   EXPECT_EQ(names(), std::set<std::string>{"arm.glb"});
@@ -33,8 +35,9 @@ TEST_F(Failure, UnknownClipIsToldTheNearest) {
   const ProgramResult baked = run({"export", "--frames", "0-3", "-o", "baked.glb"});
   ASSERT_EQ(baked.exit_code, 0) << baked;
   for (const char* command : {"render", "export"})
-    expect_failure(3, {command, "baked.glb", "--clip", "bakde", "-o", command == std::string("render") ? "x.png" : "x.obj"},
-                   {"baked.glb", "bakde", "\"baked\""});
+    expect_failure(
+        3, {command, "baked.glb", "--clip", "bakde", "-o", command == std::string("render") ? "x.png" : "x.obj"},
+        {"baked.glb", "bakde", "\"baked\""});
   expect_failure(3, {"parity", "baked.glb", "--clip", "7"}, {"baked.glb", "7", "it has 1"});
   expect_failure(3, {"render", arm(), "--clip", "Walk", "-o", "x.png"}, {"arm.glb", "Walk", "it has 0"});
 }
@@ -74,8 +77,10 @@ const std::vector<BrokenScene> broken_scenes{
          "from": 0.3, "to": 1, "spread": 60, "peak": 0.01, "sigma": [0.06, 0.03], "rest_angle": 180,
          "reference_angle": 35}]}]})",
      {"/characters/0/muscles/1", "\"leftLowerArm\""}},
-    {R"({"sinew": 1, "characters": [{"model": "arm.glb"}], "camera": {"view": "fornt"}})", {"/camera/view", "\"front\""}},
-    {R"({"sinew": 1, "characters": [{"model": "arm.glb"}], "look": {"shading": "cley"}})", {"/look/shading", "\"clay\""}},
+    {R"({"sinew": 1, "characters": [{"model": "arm.glb"}], "camera": {"view": "fornt"}})",
+     {"/camera/view", "\"front\""}},
+    {R"({"sinew": 1, "characters": [{"model": "arm.glb"}], "look": {"shading": "cley"}})",
+     {"/look/shading", "\"clay\""}},
     {R"({"sinew": 1, "characters": [{"model": "arm.glb"}], "frames": [5, 1]})", {"/frames", "first <= last"}},
     {R"({"sinew": 1, "characters": [{"model": "arm.glb"}], "fps": "24"})", {"/fps", "\"24\""}},
     {R"({"sinew": 2, "characters": [{"model": "arm.glb"}]})", {"/sinew", "expected 1"}},
@@ -123,14 +128,10 @@ TEST_F(Failure, DeviceIsTakenByIndexByNameAndFromTheEnvironment) {
   const std::string known = json({"info", "--devices"})["devices"][0]["name"];
   for (const std::string& device : {std::string("0"), known, known.substr(0, 4)}) {
     EXPECT_EQ(json({"parity", "--frame", "0", "--device", device})["device"]["name"], known);
-    EXPECT_EQ(json({"parity", "--frame", "0"}, {.environment = {{"SINEW_DEVICE", device}}})
-                  ["device"]["name"],
-              known);
+    EXPECT_EQ(json({"parity", "--frame", "0"}, {.environment = {{"SINEW_DEVICE", device}}})["device"]["name"], known);
   }
   // The option wins over the environment.
-  EXPECT_EQ(run({"parity", "--frame", "0", "--device", "0"},
-                {.environment = {{"SINEW_DEVICE", "Voodoo"}}})
-                .exit_code,
+  EXPECT_EQ(run({"parity", "--frame", "0", "--device", "0"}, {.environment = {{"SINEW_DEVICE", "Voodoo"}}}).exit_code,
             0);
 }
 

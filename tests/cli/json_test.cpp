@@ -86,8 +86,8 @@ TEST_F(JsonOutput, InfoOnAScene) {
   ASSERT_EQ(json["muscles"].size(), 1u);
   const Json& muscle = json["muscles"][0];
   expect_keys(muscle,
-              {"name", "bone", "child", "driver", "tip", "facing", "from", "to", "spread", "peak", "sigma", "rest_angle",
-               "reference_angle", "centre", "region_vertices", "segment_vertices"},
+              {"name", "bone", "child", "driver", "tip", "facing", "from", "to", "spread", "peak", "sigma",
+               "rest_angle", "reference_angle", "centre", "region_vertices", "segment_vertices"},
               "a muscle");
   EXPECT_EQ(muscle["name"], "biceps_left");
   EXPECT_GT(muscle["region_vertices"], 0);
@@ -147,7 +147,8 @@ TEST_F(JsonOutput, Compare) {
 }
 
 TEST_F(JsonOutput, StaysAloneOnStdoutWhateverIsLogged) {
-  for (const char* log : {"--quiet", "--verbose", "--progress=plain", "--progress=bar", "--progress=none", "--validate"}) {
+  for (const char* log :
+       {"--quiet", "--verbose", "--progress=plain", "--progress=bar", "--progress=none", "--validate"}) {
     const ProgramResult result = run({"render", "--frames", "0-3", "--size", "64x64", "-o", "x_#.png", "--json", log});
     EXPECT_EQ(result.exit_code, 0) << result;
     EXPECT_EQ(json_of(result)["frames"].size(), 4u) << log;

@@ -74,8 +74,7 @@ TEST_F(Output, DeviceThatIsFull) {
 }
 
 TEST_F(Output, ReportThatCannotBePrinted) {
-  const ProgramResult result =
-      run({"info", arm(), "--json"}, {.output = "/dev/full"});
+  const ProgramResult result = run({"info", arm(), "--json"}, {.output = "/dev/full"});
   EXPECT_EQ(result.exit_code, 7) << result;
 }
 
@@ -181,7 +180,8 @@ TEST_F(Stopped, AFileThatIsWrittenAtTheEndIsNotThere) {
 }
 
 TEST_F(Stopped, ChecksAndMeasurementsStopToo) {
-  for (const Arguments& arguments : {Arguments{"parity", "--frames", "0-99999"}, Arguments{"bench", "--frames-timed", "99999"}}) {
+  for (const Arguments& arguments :
+       {Arguments{"parity", "--frames", "0-99999"}, Arguments{"bench", "--frames-timed", "99999"}}) {
     fs::remove_all(path("out"));
     const ProgramResult result = stop({arguments, 0}, SIGINT);
     EXPECT_EQ(result.exit_code, 130) << result;

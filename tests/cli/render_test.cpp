@@ -144,7 +144,8 @@ TEST_F(Render, BackgroundIsTheColour) {
   const DecodedPng png = picture(render("x.png", {"--background", "#123456"}));
   for (std::size_t corner : {0, 159, 89 * 160, 90 * 160 - 1}) {
     const auto* pixel = &png.rgba[4 * corner];
-    EXPECT_EQ((std::array{pixel[0], pixel[1], pixel[2], pixel[3]}), (std::array<unsigned char, 4>{0x12, 0x34, 0x56, 255}));
+    EXPECT_EQ((std::array{pixel[0], pixel[1], pixel[2], pixel[3]}),
+              (std::array<unsigned char, 4>{0x12, 0x34, 0x56, 255}));
   }
 }
 

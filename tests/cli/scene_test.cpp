@@ -48,7 +48,8 @@ TEST_F(SceneFile, EaseShapesTheWayBetweenKeys) {
   arm();
   const auto halfway = [&](const std::string& keys, const std::string& frame) {
     write("ease.json", R"({"sinew": 1, "frames": [0, 24], "characters": [{"model": "arm.glb",
-                           "keys": {"leftLowerArm": )" + keys + "}}]}");
+                           "keys": {"leftLowerArm": )" +
+                           keys + "}}]}");
     EXPECT_EQ(run({"export", "ease.json", "--frame", frame, "-o", "x.ply"}).exit_code, 0);
     return read("x.ply");
   };
@@ -88,7 +89,8 @@ TEST_F(SceneFile, MuscleByPresetAndInFullAreTheSame) {
   auto expected = resolved;
   expected[0]["peak"] = 0.02;
   expected[0]["name"] = "mine";
-  EXPECT_EQ(json({"info", "higher.json"})["muscles"], expected) << "a key beside the preset takes its place, and no other";
+  EXPECT_EQ(json({"info", "higher.json"})["muscles"], expected)
+      << "a key beside the preset takes its place, and no other";
   EXPECT_NE(pixels("higher.json", "47"), pixels("preset.json", "47"));
 }
 

@@ -119,12 +119,9 @@ TEST_F(Usage, WrongUsageIsFoundBeforeAnyFileIsOpened) {
 
 // The other way round: with the usage right, the same files are found missing.
 TEST_F(Usage, RightUsageOfAbsentFilesIsBadInput) {
-  const std::vector<Arguments> all{{"render", "absent.json", "-o", "x.png"},
-                                   {"info", "absent.glb"},
-                                   {"parity", "absent.json"},
-                                   {"export", "absent.glb", "-o", "x.obj"},
-                                   {"bench", "absent.json"},
-                                   {"compare", "absent.png", "absent.png"}};
+  const std::vector<Arguments> all{
+      {"render", "absent.json", "-o", "x.png"}, {"info", "absent.glb"},   {"parity", "absent.json"},
+      {"export", "absent.glb", "-o", "x.obj"},  {"bench", "absent.json"}, {"compare", "absent.png", "absent.png"}};
   for (const ProgramResult& result : run_all(all)) {
     EXPECT_EQ(result.exit_code, 3) << result;
     EXPECT_NE(result.err.find("absent."), std::string::npos) << result;

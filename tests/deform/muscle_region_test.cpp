@@ -44,8 +44,8 @@ TEST(ProjectionPlane, ContainsTheLimbAndFacesTheBelly) {
   EXPECT_LT(glm::length(plane.child - Vec3(0, 1 + std::cos(bend), std::sin(bend))), rounding);
   EXPECT_NEAR(plane.length, 1.0, rounding);
   EXPECT_LT(glm::length(plane.bone + plane.length * plane.axis - plane.child), rounding);
-  // An orthonormal frame: side, axis, normal are right-handed as x, y, z are.
-  const Mat3 frame(plane.side, plane.axis, plane.normal);
+  // An orthonormal frame: axis, side, normal are right-handed as x, y, z are, so that side = normal x axis.
+  const Mat3 frame(plane.axis, plane.side, plane.normal);
   EXPECT_NEAR(glm::determinant(frame), 1.0, rounding);
   EXPECT_LT((eigen(frame) * eigen(frame).transpose() - Eigen::Matrix3d::Identity()).norm(), rounding);
   EXPECT_GT(glm::dot(plane.normal, muscle.facing), 0.0);

@@ -94,7 +94,7 @@ TEST(RigidSplit, EachTriangleKeepsItsVerticesAndNoCopyIsMadeTwice) {
     if (!own) used.insert(index);
   }
   EXPECT_EQ(used.size(), split.duplicates.size());
-  EXPECT_EQ(split.duplicates.size(), 48u) << "a ring at the border of upper and twist, one at that of twist and lower";
+  EXPECT_EQ(split.duplicates.size(), 96u) << "both rings at the border of upper and twist, and of twist and lower";
 }
 
 }  // namespace

@@ -106,7 +106,10 @@ std::ostream& operator<<(std::ostream& stream, const ProgramResult& result) {
 }
 
 RunningProgram::RunningProgram(const Arguments& arguments, const ProgramOptions& options)
-    : out_(nameless_file("stdout")), err_(nameless_file("stderr")), begin_(Clock::now()), time_limit_(options.time_limit) {
+    : out_(nameless_file("stdout")),
+      err_(nameless_file("stderr")),
+      begin_(Clock::now()),
+      time_limit_(options.time_limit) {
   result_.command = shell_command(arguments);
   child_ = spawn(arguments, options, out_, err_);
 }

@@ -32,10 +32,10 @@ struct ProgramOptions {
 
 /// How a run ended and what it said.
 struct ProgramResult {
-  std::string command;         ///< as a shell would take it
-  int exit_code = -1;          ///< -1 where a signal ended it
-  int signal = 0;              ///< that ended it
-  bool timed_out = false;      ///< it was killed at the time limit
+  std::string command;     ///< as a shell would take it
+  int exit_code = -1;      ///< -1 where a signal ended it
+  int signal = 0;          ///< that ended it
+  bool timed_out = false;  ///< it was killed at the time limit
   std::string out, err;
   double seconds = 0.0;        ///< by the clock on the wall
   double peak_memory_mib = 0;  ///< largest resident set
