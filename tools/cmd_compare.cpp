@@ -12,7 +12,13 @@ struct Words {
   CommonOptions common;
   std::string a, b, diff, metric = "pixels";
   int tolerance = 0;
-  double pixels = 0.0;
+  double pixels = 0.0, threshold = 0.01;
+};
+
+/// What was found, whichever way the pictures were compared.
+struct Verdict {
+  double value = 0.0, threshold = 0.0;
+  std::string summary;
 };
 
 Result<Picture> open_picture(const std::string& file) {
@@ -31,14 +37,37 @@ Result<void> write_difference(const Words& words, const Picture& a, const Pictur
   return write_file(words.diff, *png);
 }
 
-Result<void> compare(const Words& words) {
-  apply_verbosity(words.common);
-  if (words.metric != "pixels")
-    return failure(ErrorKind::usage, "--metric {}: does not exist yet; pictures are compared by pixels", words.metric);
+Result<void> check_words(const Words& words) {
+  if (words.metric == "flip")
+    return failure(ErrorKind::usage, "--metric flip: does not exist yet; expected pixels or ssim");
+  if (words.metric != "pixels" && words.metric != "ssim")
+    return failure(ErrorKind::usage, "--metric {}: expected pixels or ssim", words.metric);
   if (words.tolerance < 0 || words.tolerance > 255)
     return failure(ErrorKind::usage, "--tolerance {}: expected 0 to 255", words.tolerance);
   if (!(words.pixels >= 0.0 && words.pixels <= 1.0))
     return failure(ErrorKind::usage, "--pixels {}: expected a share from 0 to 1", words.pixels);
+  if (!(words.threshold >= 0.0))
+    return failure(ErrorKind::usage, "--threshold {}: expected a number of 0 or more", words.threshold);
+  return {};
+}
+
+Result<Verdict> judge(const Words& words, const Picture& a, const Picture& b, const PixelComparison& compared) {
+  if (words.metric == "ssim") {
+    const auto value = structural_dissimilarity(a, b);
+    if (!value) return tl::unexpected<Error>(value.error());
+    return Verdict{*value, words.threshold,
+                   fmt::format("1 - SSIM is {:.5f}, at most {} may be", *value, words.threshold)};
+  }
+  const double share = static_cast<double>(compared.pixels_over) / static_cast<double>(compared.pixels);
+  return Verdict{share, words.pixels,
+                 fmt::format("{} of {} pixels differ by more than {} levels (largest {}): a share of {:.4g}, at most {:.4g} may",
+                             compared.pixels_over, compared.pixels, words.tolerance, compared.largest_difference, share,
+                             words.pixels)};
+}
+
+Result<void> compare(const Words& words) {
+  apply_verbosity(words.common);
+  if (auto ok = check_words(words); !ok) return ok;
   auto a = open_picture(words.a);
   if (!a) return pass_on(std::move(a));
   auto b = open_picture(words.b);
@@ -46,22 +75,18 @@ Result<void> compare(const Words& words) {
   auto compared = compare_pixels(*a, *b, words.tolerance);
   if (!compared) return bad_input("{} and {}: {}", words.a, words.b, compared.error().message);
   if (auto ok = write_difference(words, *a, *b); !ok) return ok;
-
-  const double share = static_cast<double>(compared->pixels_over) / static_cast<double>(compared->pixels);
-  const bool pass = share <= words.pixels;
+  auto verdict = judge(words, *a, *b, *compared);
+  if (!verdict) return pass_on(std::move(verdict));
+  const bool pass = verdict->value <= verdict->threshold;
   if (words.common.json)
     print_json({{"metric", words.metric},
-                {"value", share},
-                {"threshold", words.pixels},
+                {"value", verdict->value},
+                {"threshold", verdict->threshold},
                 {"pixels_over", compared->pixels_over},
                 {"largest_difference", compared->largest_difference},
                 {"pass", pass}});
-  const std::string summary =
-      fmt::format("{} of {} pixels differ by more than {} levels (largest {}), {:.4g} of them, at most {:.4g} may",
-                  compared->pixels_over, compared->pixels, words.tolerance, compared->largest_difference, share,
-                  words.pixels);
-  if (!pass) return failure(ErrorKind::check_failed, "the pictures differ: {}", summary);
-  spdlog::info("the pictures agree: {}", summary);
+  if (!pass) return failure(ErrorKind::check_failed, "the pictures differ: {}", verdict->summary);
+  spdlog::info("the pictures agree: {}", verdict->summary);
   return {};
 }
 
@@ -75,7 +100,8 @@ void add_compare(CLI::App& program, Run& run) {
   command->add_option("b", words->b, "Another of the same size")->required();
   command->add_option("--tolerance", words->tolerance, "Levels of 255 by which a channel may differ")->capture_default_str();
   command->add_option("--pixels", words->pixels, "Share of the pixels that may exceed it, 0 to 1")->capture_default_str();
-  command->add_option("--metric", words->metric, "How to compare: pixels")->capture_default_str();
+  command->add_option("--metric", words->metric, "How to compare: pixels, or ssim")->capture_default_str();
+  command->add_option("--threshold", words->threshold, "Of 1 - SSIM: at most this may it be")->capture_default_str();
   command->add_option("--diff", words->diff, "Write the difference, eight times amplified, to this .png");
   add_common_options(*command, words->common, false);
   command->callback([words, &run] { run = [words] { return compare(*words); }; });

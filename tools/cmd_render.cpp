@@ -8,7 +8,8 @@ struct Words {
   CommonOptions common;
   SceneWords scene;
   LookWords look;
-  std::string output;
+  std::string output, shard;
+  bool resume = false;
 };
 
 Result<LookOptions> look_options(const LookWords& words) {
@@ -45,6 +46,12 @@ Result<CaptureOptions> capture_options(const Words& words) {
   if (!progress) return pass_on(std::move(progress));
   options.progress = *progress;
   options.output = words.output;
+  options.resume = words.resume;
+  if (!words.shard.empty()) {
+    auto shard = parse_shard(words.shard);
+    if (!shard) return pass_on(std::move(shard));
+    options.shard = *shard;
+  }
   if (auto ok = check_picture_name(options.output, options.scene); !ok) return pass_on(std::move(ok));
   return options;
 }
@@ -56,7 +63,7 @@ nlohmann::ordered_json report_json(const CaptureReport& report, const Device& de
   json["frames"] = nlohmann::ordered_json::array();
   for (const CapturedFrame& f : report.frames)
     json["frames"].push_back(
-        {{"frame", f.frame}, {"file", f.file}, {"sha256", f.sha256}, {"ms", f.ms}, {"skipped", false}});
+        {{"frame", f.frame}, {"file", f.file}, {"sha256", f.sha256}, {"ms", f.ms}, {"skipped", f.skipped}});
   json["size"] = {options.look.size.width, options.look.size.height};
   json["fps"] = stage.scene.fps;
   return json;
@@ -87,6 +94,8 @@ void add_render(CLI::App& program, Run& run) {
   add_scene_options(*command, words->scene);
   command->add_option("-o,--output", words->output, "x.png, or x_####.png for several frames")->required();
   add_look_options(*command, words->look);
+  command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");
+  command->add_flag("--resume", words->resume, "Keep frames that an earlier run of the same recipe wrote whole");
   add_common_options(*command, words->common, true);
   command->callback([words, &run] { run = [words] { return render(*words); }; });
 }

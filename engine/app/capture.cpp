@@ -1,52 +1,53 @@
 #include "engine/app/capture.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <future>
 
-#include <nlohmann/json.hpp>
-
-#include "engine/app/version.h"
+#include "engine/app/recipe.h"
 #include "engine/core/files.h"
 #include "engine/core/frame_range.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/text.h"
 #include "engine/io/png.h"
-#include "engine/model/scene_words.h"
 
 namespace sinew {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a picture depends on, but for its frame: scene, options and program version; no output path, device or date.
-std::string recipe(const Stage& stage, const CaptureOptions& options) {
-  const LookOptions& look = options.look;
-  nlohmann::ordered_json json;
-  json["scene"] = stage.scene_hash;
-  json["deformer"] = deformer_name(options.scene.deformer);
-  json["bulge"] = bulge_name(options.scene.bulge);
-  json["size"] = {look.size.width, look.size.height};
-  json["samples"] = look.samples;
-  if (look.view) json["view"] = view_names()[static_cast<std::size_t>(*look.view)];
-  if (look.orbit) json["orbit"] = *look.orbit;
-  if (look.shading) json["shading"] = shading_names()[static_cast<std::size_t>(*look.shading)];
-  if (look.background) json["background"] = colour_text(*look.background);
-  json["version"] = version();
-  return json.dump();
+/// The picture that an earlier run left, where this run would make the same one.
+std::optional<CapturedFrame> kept_picture(CapturedFrame frame, const std::string& hash, const PictureSize& size) {
+  const auto bytes = read_file(frame.file);
+  if (!bytes) return std::nullopt;
+  const auto png = decode_png(*bytes);
+  if (!png || png->width != size.width || png->height != size.height) return std::nullopt;
+  const PngText wanted{Recipe::png_keyword, hash};
+  if (std::find(png->texts.begin(), png->texts.end(), wanted) == png->texts.end()) return std::nullopt;
+  frame.sha256 = sha256(*bytes);
+  frame.skipped = true;
+  return frame;
 }
-
-std::string recipe_hash(const std::string& recipe, int frame) { return sha256(fmt::format("{}#{}", recipe, frame)); }
 
 /// Encodes and writes one picture.
 Result<CapturedFrame> write_picture(const Picture& picture, CapturedFrame frame, const std::string& hash, bool keep_alpha,
                                     Clock::time_point begun) {
-  const PngText text{"sinew-recipe", hash};
+  const PngText text{Recipe::png_keyword, hash};
   auto png = encode_png(picture.rgba, picture.width, picture.height, std::span(&text, 1), keep_alpha);
   if (!png) return pass_on(std::move(png));
   frame.sha256 = sha256(*png);
   if (auto ok = write_file(frame.file, *png); !ok) return pass_on(std::move(ok));
   frame.ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   return frame;
+}
+
+/// The shard's part: contiguous, and all parts together are all frames.
+std::vector<int> shard_of(const std::vector<int>& frames, const Shard& shard) {
+  const auto bound = [&](int i) {
+    return frames.begin() + static_cast<std::ptrdiff_t>(frames.size() * static_cast<std::size_t>(i) /
+                                                        static_cast<std::size_t>(shard.count));
+  };
+  return {bound(shard.index), bound(shard.index + 1)};
 }
 
 /// Gathers what became of each frame.
@@ -77,6 +78,17 @@ class Outcome {
 
 }  // namespace
 
+Result<Shard> parse_shard(std::string_view text) {
+  const std::vector<std::string> parts = split(text, '/');
+  constexpr long long most = 1'000'000;
+  if (parts.size() == 2) {
+    const auto index = parse_integer(parts[0]), count = parse_integer(parts[1]);
+    if (index && count && *count >= 1 && *count <= most && *index >= 0 && *index < *count)
+      return Shard{static_cast<int>(*index), static_cast<int>(*count)};
+  }
+  return failure(ErrorKind::usage, "--shard {}: expected I/N, such as 0/4 for the first of four parts", text);
+}
+
 Result<void> check_picture_name(const std::string& output, const SceneOptions& scene) {
   const std::string ending = lower(std::filesystem::path(output).extension().string());
   for (const char* film : {".mp4", ".webm", ".gif"})
@@ -93,13 +105,14 @@ Result<void> check_picture_name(const std::string& output, const SceneOptions& s
 
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options) {
   const bool pattern = has_frame_pattern(options.output);
-  const std::vector<int> frames = selected_frames(stage, options.scene, !pattern);
+  const std::vector<int> frames = shard_of(selected_frames(stage, options.scene, !pattern), options.shard);
+  if (frames.empty()) return CaptureReport{};
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
   Outcome outcome;
   auto maker = FrameMaker::create(device, stage, options.scene, options.look, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));
 
-  const std::string base = recipe(stage, options);
+  const Recipe recipe(stage, options.scene, options.look);
   const bool keep_alpha = options.look.background.value_or(stage.scene.look.background).alpha == 0;
   Progress progress("rendering", frames.size(), options.progress);
   std::future<Result<CapturedFrame>> writing;
@@ -112,11 +125,20 @@ Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureO
       return pass_on(std::move(ok));
     }
     const Clock::time_point begun = Clock::now();
+    CapturedFrame captured;
+    captured.frame = frame;
+    captured.file = frame_file_name(options.output, frame);
+    const std::string hash = recipe.hash(frame);
+    if (auto kept = options.resume ? kept_picture(captured, hash, options.look.size) : std::nullopt) {
+      finish_writing();
+      outcome.add(std::move(*kept));
+      progress.advance();
+      continue;
+    }
     auto picture = maker->picture(frame);
     finish_writing();
     if (!picture) return pass_on(std::move(picture));
-    const CapturedFrame captured{frame, frame_file_name(options.output, frame), {}, 0.0};
-    writing = std::async(std::launch::async, [=, hash = recipe_hash(base, frame), picture = std::move(*picture)] {
+    writing = std::async(std::launch::async, [=, picture = std::move(*picture)] {
       return write_picture(picture, captured, hash, keep_alpha, begun);
     });
     progress.advance();

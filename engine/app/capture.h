@@ -6,18 +6,29 @@
 
 namespace sinew {
 
+/// One of `count` contiguous parts of the frames, so that several machines share a sequence.
+struct Shard {
+  int index = 0, count = 1;
+};
+
+/// `--shard I/N`. Fails as usage.
+Result<Shard> parse_shard(std::string_view text);
+
 struct CaptureOptions {
   SceneOptions scene;
   LookOptions look;
-  std::string output;  ///< `x.png`, or `x_####.png` for several frames
+  std::string output;   ///< `x.png`, or `x_####.png` for several frames
+  Shard shard;
+  bool resume = false;  ///< keep a frame whose file is whole, has the right size and was made by the same recipe
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
 struct CapturedFrame {
   int frame = 0;
   std::string file;
-  std::string sha256;  ///< of the file
-  double ms = 0.0;     ///< from the pose to the file on the disk
+  std::string sha256;    ///< of the file
+  double ms = 0.0;       ///< from the pose to the file on the disk
+  bool skipped = false;  ///< kept from an earlier run
 };
 
 struct CaptureReport {

@@ -14,12 +14,12 @@ struct ArmShape {
   Vec4 base_colour{0.60, 0.36, 0.26, 1.0};  ///< linear RGBA
 };
 
-/// The arm stretched along +X, thumb side up (+Y), palm and the elbow's flexor side to the front (+Z), the shoulder joint
-/// at the origin; the hand is relaxed, the shoulder cut off by a plane as in a sculpture's fragment. One closed mesh
-/// without seams, counter-clockwise seen from outside, with smooth normals and no texture coordinates. Joints, each the
-/// parent of the next: leftShoulder, leftUpperArm, leftLowerArm, leftHand, leftHandTip (the last has no weights; it
-/// gives the hand a direction). The rest pose is the bind pose and no joint is turned in it. Flexing the elbow turns
-/// leftLowerArm about Y by a negative angle.
+/// The arm stretched along +X, thumb side up (+Y), palm and the elbow's flexor side to the front (+Z), the shoulder
+/// joint at the origin; the hand is relaxed, the shoulder cut off by a plane as in a sculpture's fragment. One closed
+/// mesh without seams, counter-clockwise seen from outside, with smooth normals and no texture coordinates. Joints,
+/// each the parent of the next: leftShoulder, leftUpperArm, leftLowerArm, leftHand, leftHandTip (the last has no
+/// weights; it gives the hand a direction). The rest pose is the bind pose and no joint is turned in it. Flexing the
+/// elbow turns leftLowerArm about Y by a negative angle.
 Model make_arm(const ArmShape& shape = {});
 
 }  // namespace sinew
