@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// From the top down. A layer may include itself and what stands after it.
-const std::vector<std::string> layers = {"tools", "app",    "render", "gpu", "body", "face",  "motion",
+const std::vector<std::string> layers = {"tools", "app",    "render", "gpu", "body",  "face", "motion",
                                          "fit",   "deform", "rig",    "io",  "model", "core"};
 
 constexpr std::size_t most_lines = 500;
@@ -104,7 +104,8 @@ bool is_vulkan(const std::string& include) {
 std::vector<std::string> vulkan_includes(const SourceFile& file) {
   std::vector<std::string> found;
   for (const std::string& line : file.lines)
-    if (const auto include = included_by(line); include && is_vulkan(*include)) found.push_back(file.path + ": " + line);
+    if (const auto include = included_by(line); include && is_vulkan(*include))
+      found.push_back(file.path + ": " + line);
   return found;
 }
 
@@ -122,11 +123,15 @@ TEST(Layers, IncludesGoDown) {
 TEST(Layers, AnIncludeThatGoesUpIsFound) {
   const auto wrong = [](const char* path, const char* text) { return wrong_includes(made_up(path, text)).size(); };
   EXPECT_EQ(wrong("engine/core/math.h", "#include \"engine/model/model.h\"\n"), 1u);
-  EXPECT_EQ(wrong("engine/rig/pose.cpp", "  #  include \"engine/deform/ssd.h\"  // why\n#include \"engine/gpu/device.h\""), 2u);
+  EXPECT_EQ(
+      wrong("engine/rig/pose.cpp", "  #  include \"engine/deform/ssd.h\"  // why\n#include \"engine/gpu/device.h\""),
+      2u);
   EXPECT_EQ(wrong("engine/app/frame.h", "#include \"tools/command.h\""), 1u);
   EXPECT_EQ(wrong("engine/gpu/device.h", "#include \"engine/nowhere/x.h\""), 1u);
   EXPECT_EQ(wrong("engine/nowhere/x.h", ""), 1u);
-  EXPECT_EQ(wrong("engine/deform/ssd.h", "#include \"engine/deform/rigid.h\"\n#include \"engine/core/math.h\"\n#include <gpu>"), 0u);
+  EXPECT_EQ(wrong("engine/deform/ssd.h",
+                  "#include \"engine/deform/rigid.h\"\n#include \"engine/core/math.h\"\n#include <gpu>"),
+            0u);
   EXPECT_EQ(wrong("tools/main.cpp", "#include \"engine/app/frame.h\"\n#include \"tools/command.h\""), 0u);
   EXPECT_EQ(wrong("engine/core/math.h", "// #include \"engine/app/frame.h\""), 0u);
 }
@@ -140,7 +145,9 @@ TEST(Layers, VulkanStaysInGpuAndRender) {
     for (const std::string& include : found) ADD_FAILURE() << include;
   }
   EXPECT_GT(inside, 0u) << "somebody must include Vulkan";
-  EXPECT_EQ(vulkan_includes(made_up("engine/app/x.h", "#include <vulkan/vulkan_raii.hpp>\n#include \"vk_mem_alloc.h\"")).size(), 2u);
+  EXPECT_EQ(vulkan_includes(made_up("engine/app/x.h", "#include <vulkan/vulkan_raii.hpp>\n#include \"vk_mem_alloc.h\""))
+                .size(),
+            2u);
   EXPECT_TRUE(may_know_vulkan("engine/gpu/device.h") && may_know_vulkan("engine/render/renderer.h"));
   EXPECT_FALSE(may_know_vulkan("engine/app/frame.h") || may_know_vulkan("tools/gpu/x.h"));
 }

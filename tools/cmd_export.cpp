@@ -34,16 +34,9 @@ Result<void> export_mesh(const Words& words) {
   apply_verbosity(words.common);
   auto options = bake_options(words);
   if (!options) return pass_on(std::move(options));
-  auto stage = open_stage(options->scene);
-  if (!stage) return pass_on(std::move(stage));
-  log_problems(stage->problems);
-  std::optional<Device> device;
-  if (!options->by_cpu && !options->rig) {
-    auto opened = open_device(words.common);
-    if (!opened) return pass_on(std::move(opened));
-    device = std::move(*opened);
-  }
-  auto report = bake(device ? &*device : nullptr, *stage, *options);
+  auto opened = open_scene(options->scene, words.common, !options->by_cpu && !options->rig);
+  if (!opened) return pass_on(std::move(opened));
+  auto report = bake(opened->device.get(), opened->stage, *options);
   if (!report) return pass_on(std::move(report));
   if (words.common.json)
     print_json({{"file", options->output},
@@ -52,7 +45,7 @@ Result<void> export_mesh(const Words& words) {
                 {"triangles", report->triangles}});
   spdlog::info("{}: {} frames of {} vertices, {} triangles", options->output, report->frames, report->vertices,
                report->triangles);
-  return device ? check_validation(*device) : Result<void>();
+  return opened->device ? check_validation(*opened->device) : Result<void>();
 }
 
 }  // namespace

@@ -43,14 +43,13 @@ Result<void> parity(const Words& words) {
   options.tolerance = words.tolerance;
   options.normal_tolerance_degrees = words.normal_tolerance;
 
-  auto stage = open_stage(options.scene);
-  if (!stage) return pass_on(std::move(stage));
-  log_problems(stage->problems);
-  auto device = open_device(words.common);
-  if (!device) return pass_on(std::move(device));
-  auto report = compare_with_reference(*device, *stage, options);
+  auto opened = open_scene(options.scene, words.common);
+  if (!opened) return pass_on(std::move(opened));
+  Device& device = *opened->device;
+  const Stage& stage = opened->stage;
+  auto report = compare_with_reference(device, stage, options);
   if (!report) return pass_on(std::move(report));
-  if (words.common.json) print_json(report_json(*report, *device, options));
+  if (words.common.json) print_json(report_json(*report, device, options));
   const std::string summary = fmt::format(
       "{} frames of {} vertices: relative position error {:.3g} (at most {:.3g}), normals {:.3g} degrees (at most "
       "{:.3g}), {} near-singular normals {:.3g} degrees",
@@ -58,7 +57,7 @@ Result<void> parity(const Words& words) {
       options.normal_tolerance_degrees, report->singular_normals, report->max_singular_normal_error_degrees);
   if (!report->pass) return failure(ErrorKind::check_failed, "parity failed: {}", summary);
   spdlog::info("parity holds: {}", summary);
-  return check_validation(*device);
+  return check_validation(device);
 }
 
 }  // namespace

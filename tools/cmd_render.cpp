@@ -73,16 +73,15 @@ Result<void> render(const Words& words) {
   apply_verbosity(words.common);
   auto options = capture_options(words);
   if (!options) return pass_on(std::move(options));
-  auto stage = open_stage(options->scene);
-  if (!stage) return pass_on(std::move(stage));
-  log_problems(stage->problems);
-  auto device = open_device(words.common);
-  if (!device) return pass_on(std::move(device));
-  auto report = capture(*device, *stage, *options);
+  auto opened = open_scene(options->scene, words.common);
+  if (!opened) return pass_on(std::move(opened));
+  Device& device = *opened->device;
+  const Stage& stage = opened->stage;
+  auto report = capture(device, stage, *options);
   if (!report) return pass_on(std::move(report));
   log_problems(report->problems);
-  if (words.common.json) print_json(report_json(*report, *device, *stage, *options));
-  return check_validation(*device);
+  if (words.common.json) print_json(report_json(*report, device, stage, *options));
+  return check_validation(device);
 }
 
 }  // namespace

@@ -105,6 +105,18 @@ Result<Device> open_device(const CommonOptions& options) {
   return device;
 }
 
+Result<Opened> open_scene(const SceneOptions& scene, const CommonOptions& common, bool with_device) {
+  auto stage = open_stage(scene);
+  if (!stage) return pass_on(std::move(stage));
+  log_problems(stage->problems);
+  Opened opened{nullptr, std::move(*stage)};
+  if (!with_device) return opened;
+  auto device = open_device(common);
+  if (!device) return pass_on(std::move(device));
+  opened.device = std::make_unique<Device>(std::move(*device));
+  return opened;
+}
+
 nlohmann::ordered_json device_json(const DeviceInfo& info) {
   return {{"name", info.name}, {"type", info.type}, {"api", info.api}, {"driver", info.driver}};
 }

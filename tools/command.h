@@ -2,6 +2,7 @@
 /// What every command of the program shares: how it is registered, what it says and how it ends.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/app/options.h"
+#include "engine/app/stage.h"
 #include "engine/core/progress.h"
 #include "engine/gpu/device.h"
 
@@ -58,6 +60,15 @@ void apply_verbosity(const CommonOptions& options);
 
 /// The device that was asked for, named in the log. Fails as no_device.
 Result<Device> open_device(const CommonOptions& options);
+
+/// What most commands work on. The device outlives what is made on it.
+struct Opened {
+  std::unique_ptr<Device> device;  ///< null where none was asked for
+  Stage stage;
+};
+
+/// Opens the scene, logs what was repaired in it, and then, where `with_device`, the device.
+Result<Opened> open_scene(const SceneOptions& scene, const CommonOptions& common, bool with_device = true);
 
 nlohmann::ordered_json device_json(const DeviceInfo& info);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Human skeletons made by hand, with a tube of flesh round each upper arm and lower leg, and what places muscles on them.
+/// Human skeletons made by hand, with a tube of flesh round each upper arm and lower leg, and what places muscles on
+/// them.
 
 #include <initializer_list>
 #include <string>
@@ -36,9 +37,10 @@ inline Model fleshed(Model model) {
   const std::vector<Mat4> global = rest_transforms(model);
   const Humanoid humanoid = find_humanoid(model, global);
   Primitive skin;
-  for (const auto& [bone, child, radius] :
-       {std::tuple(left_upper_arm, left_lower_arm, arm_radius), {right_upper_arm, right_lower_arm, arm_radius},
-        {left_lower_leg, left_foot, leg_radius}, {right_lower_leg, right_foot, leg_radius}})
+  for (const auto& [bone, child, radius] : {std::tuple(left_upper_arm, left_lower_arm, arm_radius),
+                                            {right_upper_arm, right_lower_arm, arm_radius},
+                                            {left_lower_leg, left_foot, leg_radius},
+                                            {right_lower_leg, right_foot, leg_radius}})
     add_flesh(global, humanoid.find(bone), humanoid.find(child), radius, skin);
   skin.indices = {0, 1, 2};
   Skin joints;

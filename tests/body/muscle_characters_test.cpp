@@ -50,7 +50,8 @@ double radius_of(const Fleshed& body, const PlacedMuscle& placed, std::initializ
     const std::string& bone = body.model.nodes[body.mesh.bone(v)].name;
     const Vec3 from_bone = body.rest.positions[v] - plane.bone;
     const double t = glm::dot(from_bone, plane.axis) / plane.length;
-    if (std::find(segment.begin(), segment.end(), bone) == segment.end() || std::abs(t - centre_of(placed)) > 0.05) continue;
+    if (std::find(segment.begin(), segment.end(), bone) == segment.end() || std::abs(t - centre_of(placed)) > 0.05)
+      continue;
     sum += glm::length(glm::cross(from_bone, plane.axis));
     ++count;
   }
@@ -110,7 +111,8 @@ TEST(MuscleCharacters, ARigWithTwistJointsHasTheSameMuscles) {
 /// Length of the convex hull of the points seen along the axis: what a tape round them measures.
 double tape_girth(const ProjectionPlane& plane, const std::vector<Vec3>& points) {
   std::vector<Vec2> flat;
-  for (const Vec3& p : points) flat.push_back({glm::dot(p - plane.bone, plane.side), glm::dot(p - plane.bone, plane.normal)});
+  for (const Vec3& p : points)
+    flat.push_back({glm::dot(p - plane.bone, plane.side), glm::dot(p - plane.bone, plane.normal)});
   std::sort(flat.begin(), flat.end(), [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<Vec2> hull;
   for (int half = 0; half < 2; ++half) {
@@ -155,7 +157,9 @@ TEST(MuscleCharacters, TheGirthGrowsAsAFlexedArmsDoes) {
     const PlacedMuscle placed = muscles_of(male, preset)[0];
     const ActiveMuscle active[] = {{placed.muscle, placed.region, 1.0}};
     const auto girth = [&](BulgeMode mode) {
-      return girth_at_centre(male, placed, deform_reference(male.mesh, male.rest, {palette, weights, active, Deformer::ssd, mode}).positions);
+      return girth_at_centre(
+          male, placed,
+          deform_reference(male.mesh, male.rest, {palette, weights, active, Deformer::ssd, mode}).positions);
     };
     return girth(BulgeMode::on) / girth(BulgeMode::off) - 1.0;
   };

@@ -44,7 +44,8 @@ TEST_F(Placement, APresetsNumbersAreInUnitsOfTheLimb) {
   };
   // body.md 7
   for (const Case& c :
-       {Case{MusclePreset::biceps, 1.0 / 3.0, 1.0, 75, 0.30, 0.20, 0.70, 35, arm_radius, "UpperArm", "LowerArm", "Hand"},
+       {Case{MusclePreset::biceps, 1.0 / 3.0, 1.0, 75, 0.30, 0.20, 0.70, 35, arm_radius, "UpperArm", "LowerArm",
+             "Hand"},
         Case{MusclePreset::calf, 0.05, 0.60, 60, 0.12, 0.15, 0.70, 150, leg_radius, "LowerLeg", "Foot", "Toes"}})
     for (const MuscleSide side : {MuscleSide::left, MuscleSide::right}) {
       const PlacedMuscle got = placed(body, preset(c.preset, side));
@@ -77,8 +78,10 @@ TEST_F(Placement, AStraightArmsBicepsFacesTheFrontAndACalfTheBack) {
 }
 
 TEST_F(Placement, ABentArmShowsItsFlexorSideByItself) {
-  for (const auto& [hand, facing] : {std::pair(Vec3(0.6, 1.60, 0.0), Vec3(0, 1, 0)), {Vec3(0.6, 1.30, 0.0), Vec3(0, -1, 0)},
-                                     {Vec3(0.6, 1.43, 0.2), Vec3(0, 0, 1)}, {Vec3(0.6, 1.43, -0.2), Vec3(0, 0, -1)}}) {
+  for (const auto& [hand, facing] : {std::pair(Vec3(0.6, 1.60, 0.0), Vec3(0, 1, 0)),
+                                     {Vec3(0.6, 1.30, 0.0), Vec3(0, -1, 0)},
+                                     {Vec3(0.6, 1.43, 0.2), Vec3(0, 0, 1)},
+                                     {Vec3(0.6, 1.43, -0.2), Vec3(0, 0, -1)}}) {
     const Fleshed bent(arms_of({.elbow = {0.46, 1.43, 0}, .hand = hand}));
     for (const MuscleSide side : {MuscleSide::left, MuscleSide::right})
       EXPECT_LT(glm::distance(placed(bent, preset(MusclePreset::biceps, side)).region.plane.normal, facing), rounding);
@@ -104,7 +107,8 @@ TEST_F(Placement, TheBodysFrontTurnsWithTheBody) {
     const Fleshed turned(model);
     const Vec3 front = rotation_xyz_degrees({0, turn, 0}) * Vec3(0, 0, 1);
     EXPECT_LT(glm::distance(placed(turned, preset(MusclePreset::biceps)).muscle.facing, front), rounding);
-    const PlacedMuscle calf = placed(turned, preset(MusclePreset::calf)), before = placed(body, preset(MusclePreset::calf));
+    const PlacedMuscle calf = placed(turned, preset(MusclePreset::calf)),
+                       before = placed(body, preset(MusclePreset::calf));
     EXPECT_LT(glm::distance(calf.muscle.facing, -front), rounding);
     EXPECT_EQ(calf.region.vertices.size(), before.region.vertices.size());
     EXPECT_NEAR(calf.muscle.peak, before.muscle.peak, rounding);

@@ -79,14 +79,14 @@ TEST(BulgeNormals, SeveralMusclesAddTheirSlopes) {
   const MuscleRegion one_region = plate.region(one), other_region = plate.region(other);
   const ActiveMuscle active[] = {{one, one_region, 1.0}, {other, other_region, 0.5}};
   for (const BulgeMode mode : modes)
-    EXPECT_LT(largest_normal_error(plate, deformed(plate, plate.turned(patch_child, {30, 0, 0}),
-                                                   {.muscles = active, .bulge = mode})),
+    EXPECT_LT(largest_normal_error(
+                  plate, deformed(plate, plate.turned(patch_child, {30, 0, 0}), {.muscles = active, .bulge = mode})),
               difference_error);
 }
 
 TEST(BulgeNormals, OfARoundLimbAreRightToFirstOrder) {
-  // What is left out is the slope times the height times the curvature: second order in the peak. Within the spread less
-  // its fade of 20 degrees, which normals do not follow: |u| <= 0.25 * 60 degrees.
+  // What is left out is the slope times the height times the curvature: second order in the peak. Within the spread
+  // less its fade of 20 degrees, which normals do not follow: |u| <= 0.25 * 60 degrees.
   const TestCharacter limb(patch({.surface = round_limb, .low = {-0.26, 0.0}, .high = {0.26, 1.0}}));
   for (const BulgeMode mode : modes) {
     double errors[2];
@@ -121,8 +121,8 @@ TEST(BulgeNormals, FollowTheGradientOfTheHeight) {
 }
 
 TEST(BulgeNormals, HoldTheFadesOfSpreadAndShare) {
-  // Only x, y and t have slopes (body.md 6). On a limb so wide that all of it lies in the spread's fade, the height also
-  // changes with the angle; the normal is that of a height that does not.
+  // Only x, y and t have slopes (body.md 6). On a limb so wide that all of it lies in the spread's fade, the height
+  // also changes with the angle; the normal is that of a height that does not.
   const TestCharacter limb(patch({.surface = round_limb, .low = {0.01, 0.3}, .high = {0.05, 0.7}}));
   Muscle muscle = patch_muscle();
   muscle.spread = 15;
@@ -139,7 +139,8 @@ TEST(BulgeNormals, HoldTheFadesOfSpreadAndShare) {
     const Vec3 around = glm::normalize(limb.rest.positions[r.vertex + 2] - limb.rest.positions[r.vertex + 1]);
     const double side = glm::dot(around, region.plane.side) < 0 ? -1.0 : 1.0;
     EXPECT_NEAR(-glm::dot(out.normals[r.vertex], around), side * across, 1e-7);  // second order: (1e-4)^2 x curvature
-    largest_slope_left_out = std::max(largest_slope_left_out, std::abs(stencil_slope(out.heights, i).x - side * across));
+    largest_slope_left_out =
+        std::max(largest_slope_left_out, std::abs(stencil_slope(out.heights, i).x - side * across));
   }
   EXPECT_GT(largest_slope_left_out, 1e-4) << "there must be something to hold";
 }

@@ -42,7 +42,8 @@ bool same_bits(const T& a, const T& b) {
 /// body.md 6, written down once more and without a step of the engine's: the fades as polynomials of clamped numbers.
 double expected_height(const Muscle& m, const RegionVertex& v, double delta, BulgeMode mode) {
   const auto ease = [](double x) { return x <= 0 ? 0.0 : x >= 1 ? 1.0 : x * x * x + 3.0 * x * x * (1.0 - x); };
-  const double gauss = std::exp(-v.x * v.x / (2 * m.sigma.x * m.sigma.x)) * std::exp(-v.y * v.y / (2 * m.sigma.y * m.sigma.y));
+  const double gauss =
+      std::exp(-v.x * v.x / (2 * m.sigma.x * m.sigma.x)) * std::exp(-v.y * v.y / (2 * m.sigma.y * m.sigma.y));
   if (mode == BulgeMode::paper) return delta * m.peak * gauss;
   const double quarter = 0.25 * (m.to - m.from);
   return delta * m.peak * gauss * ease((v.t - m.from) / quarter) * ease((m.to - v.t) / quarter) *
@@ -121,7 +122,8 @@ TEST_F(Bulge, IsLinearInTheAngle) {
     EXPECT_NEAR(angle, 180.0 - bend, 1e-10);
     return bulged(bent, muscle_activation(angle, muscle.rest_angle, muscle.reference_angle), BulgeMode::on).heights;
   };
-  const std::vector<double> first = heights_at(30), whole = heights_at(130), none = heights_at(10), beyond = heights_at(0);
+  const std::vector<double> first = heights_at(30), whole = heights_at(130), none = heights_at(10),
+                            beyond = heights_at(0);
   for (const int steps : {2, 3, 5, 6}) {
     const std::vector<double> heights = heights_at(10 + 20 * steps);
     for (const RegionVertex& v : region.vertices)
@@ -140,7 +142,8 @@ TEST_F(Bulge, SeveralMusclesAddTheirHeights) {
   other.from = 0.0;
   other.peak = -0.02;
   const MuscleRegion other_region = limb.region(other);
-  const ActiveMuscle both[] = {{muscle, region, 0.5}, {other, other_region, 1.0}}, second[] = {{other, other_region, 1.0}};
+  const ActiveMuscle both[] = {{muscle, region, 0.5}, {other, other_region, 1.0}},
+                     second[] = {{other, other_region, 1.0}};
   for (const BulgeMode mode : modes) {
     const DeformedVertices before = plain(pose), a = bulged(pose, 0.5, mode),
                            b = deformed(limb, pose, {.muscles = second, .bulge = mode}),
@@ -253,7 +256,8 @@ TEST(BulgeEdge, TheDefaultFadesWithTheShareOfTheSegment) {
   const std::pair<double, double> shares[] = {{0.5001, 0.0}, {0.625, 0.5}, {0.75, 1.0}, {1.0, 1.0}};
   for (const auto& [share, height] : shares) {
     std::vector<Influence> weights = sorted_run({{0, share}, {1, 1.0 - share}});
-    const TestCharacter plate(patch({.surface = middle, .low = {0, 0}, .high = {0, 0}, .weights = weights, .samples = 1}));
+    const TestCharacter plate(
+        patch({.surface = middle, .low = {0, 0}, .high = {0, 0}, .weights = weights, .samples = 1}));
     const MuscleRegion region = plate.region(muscle);
     const ActiveMuscle active[] = {{muscle, region, 1.0}};
     const Pose pose = rest_pose(plate.model);
@@ -271,7 +275,8 @@ TEST(BulgeEdge, NoStepIsLeftOnAWholeLimb) {
     const Muscle muscle = tube_muscle();
     const MuscleRegion region = limb.region(muscle);
     const ActiveMuscle active[] = {{muscle, region, 1.0}};
-    const std::vector<double> heights = deformed(limb, rest_pose(limb.model), {.muscles = active, .bulge = mode}).heights;
+    const std::vector<double> heights =
+        deformed(limb, rest_pose(limb.model), {.muscles = active, .bulge = mode}).heights;
     const std::vector<std::uint32_t>& corners = limb.mesh.triangles;
     double largest = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -301,7 +306,8 @@ TEST(BulgeJob, EveryInvalidSpanIsNamed) {
     spoil(s);
     const ActiveMuscle active[] = {{muscle, s.region, 1.0}};
     const Result<void> result =
-        BulgeJob{active, BulgeMode::on, s.bind_normals, s.rest_blend, s.blend, s.positions, s.normals, s.heights}.validate();
+        BulgeJob{active, BulgeMode::on, s.bind_normals, s.rest_blend, s.blend, s.positions, s.normals, s.heights}
+            .validate();
     if (*what == '\0') {
       EXPECT_TRUE(result);
       return;

@@ -59,9 +59,8 @@ TEST(ProjectionPlane, ContainsTheLimbAndFacesTheBelly) {
 TEST(ProjectionPlane, SaysWhyThereIsNone) {
   const TestCharacter limb(tube());
   const auto expect = [&](const Muscle& muscle, const char* part) {
-    for (const Result<void>& failed :
-         {projection_plane(muscle, limb.rest.global).map([](auto) {}),
-          muscle_region(limb.model, limb.mesh, limb.rest, muscle).map([](auto) {})}) {
+    for (const Result<void>& failed : {projection_plane(muscle, limb.rest.global).map([](auto) {}),
+                                       muscle_region(limb.model, limb.mesh, limb.rest, muscle).map([](auto) {})}) {
       ASSERT_FALSE(failed);
       EXPECT_EQ(failed.error().kind, ErrorKind::bad_input);
       EXPECT_NE(failed.error().message.find("\"belly\""), std::string::npos) << failed.error().message;
@@ -187,7 +186,8 @@ TEST(MuscleRegion, SpreadCountsDegreesToEitherSide) {
   Muscle muscle = upper_muscle();
   muscle.facing = {0, 0, 1};
   muscle.from = muscle.to = 0.5;
-  for (const auto& [spread, columns] : {std::pair(0.0, 1u), {14.0, 1u}, {16.0, 3u}, {44.0, 5u}, {179.0, 23u}, {180.0, 24u}}) {
+  for (const auto& [spread, columns] :
+       {std::pair(0.0, 1u), {14.0, 1u}, {16.0, 3u}, {44.0, 5u}, {179.0, 23u}, {180.0, 24u}}) {
     muscle.spread = spread;
     EXPECT_EQ(limb.region(muscle).vertices.size(), columns) << spread;
   }
@@ -251,8 +251,7 @@ TEST(MuscleRegion, AVertexsBoneIsTheFirstOfEqualSumsInTheSkinsList) {
   GltfBuilder b;
   auto primitive = b.triangle();
   primitive["attributes"]["JOINTS_0"] = b.integers<unsigned char>("VEC4", {2, 1, 0, 0, 2, 1, 1, 0, 1, 2, 0, 0});
-  primitive["attributes"]["WEIGHTS_0"] =
-      b.floats("VEC4", {0.5, 0.5, 0, 0, 0.375, 0.3125, 0.3125, 0, 0.25, 0.75, 0, 0});
+  primitive["attributes"]["WEIGHTS_0"] = b.floats("VEC4", {0.5, 0.5, 0, 0, 0.375, 0.3125, 0.3125, 0, 0.25, 0.75, 0, 0});
   b.draw(primitive, 3);
   const auto model = b.read();
   ASSERT_TRUE(model) << model.error().message;

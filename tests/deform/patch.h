@@ -18,9 +18,9 @@ using Surface = std::function<Vec3(double u, double v)>;
 
 struct PatchShape {
   Surface surface;
-  Vec2 low{-0.3, 0.0}, high{0.3, 1.0};                        ///< of the parameters
-  std::vector<Influence> weights{{0, 0.7}, {1, 0.3}};         ///< the same everywhere: the patch is carried as one
-  Transform bone_rest{};                                      ///< rest transform of the bone; its bind pose is the identity
+  Vec2 low{-0.3, 0.0}, high{0.3, 1.0};                 ///< of the parameters
+  std::vector<Influence> weights{{0, 0.7}, {1, 0.3}};  ///< the same everywhere: the patch is carried as one
+  Transform bone_rest{};                               ///< rest transform of the bone; its bind pose is the identity
   std::size_t samples = 300;
 };
 

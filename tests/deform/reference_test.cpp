@@ -64,7 +64,8 @@ TEST(Reference, MorphsThenSkins) {
     const Eigen::Matrix4d blend = dense_blend(weights, palette, v);
     EXPECT_LT(glm::length(out.positions[v] - dense_point(blend, limb.mesh.positions[v] + 1.5 * target.positions[v])),
               rounding);
-    EXPECT_LT(glm::length(out.normals[v] - dense_normal(blend, limb.mesh.normals[v] + 1.5 * target.normals[v])), rounding);
+    EXPECT_LT(glm::length(out.normals[v] - dense_normal(blend, limb.mesh.normals[v] + 1.5 * target.normals[v])),
+              rounding);
     EXPECT_LT((eigen(out.blend[v]) - blend.topLeftCorner<3, 3>()).norm(), rounding);
     EXPECT_EQ(out.heights[v], 0.0);
   }
@@ -124,7 +125,8 @@ TEST(NearlySingular, AsksWhetherTheSmallestSingularValueIsUnderATwentiethOfTheLa
     for (const double middle : {0.06, 0.5, 1.0})
       for (const double scale : {1e-3, 1.0, 1e3}) {
         const Mat3 before = glm::mat3_cast(random.rotation()), after = glm::mat3_cast(random.rotation());
-        const Mat3 blend = after * Mat3(Vec3(scale, 0, 0), Vec3(0, scale * middle, 0), Vec3(0, 0, -scale * smallest)) * before;
+        const Mat3 blend =
+            after * Mat3(Vec3(scale, 0, 0), Vec3(0, scale * middle, 0), Vec3(0, 0, -scale * smallest)) * before;
         EXPECT_EQ(nearly_singular(blend), expected || middle < 0.05) << smallest << " " << middle << " " << scale;
       }
 }

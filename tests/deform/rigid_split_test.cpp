@@ -66,14 +66,13 @@ TEST(RigidSplit, EveryTriangleOfABentLimbKeepsItsShape) {
   const std::vector<Mat34> palette = limb.palette(pose);
   const RigidSplit split = split_by_bone(limb.mesh);
   ASSERT_EQ(split.triangles.size(), limb.mesh.triangles.size());
-  std::vector<Vec3> positions =
-      deformed(limb, pose, {.bulge = BulgeMode::off, .deformer = Deformer::rigid}).positions;
+  std::vector<Vec3> positions = deformed(limb, pose, {.bulge = BulgeMode::off, .deformer = Deformer::rigid}).positions;
   for (const RigidDuplicate& d : split.duplicates)
     positions.push_back(palette[d.joint].transform_point(limb.mesh.positions[d.vertex]));
   for (std::size_t i = 0; i < split.triangles.size(); ++i) {
     const std::size_t next = i - i % 3 + (i + 1) % 3;
-    const double bind = glm::distance(limb.mesh.positions[limb.mesh.triangles[i]],
-                                      limb.mesh.positions[limb.mesh.triangles[next]]);
+    const double bind =
+        glm::distance(limb.mesh.positions[limb.mesh.triangles[i]], limb.mesh.positions[limb.mesh.triangles[next]]);
     EXPECT_NEAR(glm::distance(positions[split.triangles[i]], positions[split.triangles[next]]), bind, 1e-14);
   }
 }

@@ -76,7 +76,8 @@ TEST(Rigid, SegmentsComeApartAtTheJoint) {
   const auto longest_edge = [&](const std::vector<Vec3>& positions) {
     double longest = 0.0;
     for (std::size_t i = 0; i + 1 < limb.mesh.triangles.size(); i += 3)
-      longest = std::max(longest, glm::distance(positions[limb.mesh.triangles[i]], positions[limb.mesh.triangles[i + 2]]));
+      longest =
+          std::max(longest, glm::distance(positions[limb.mesh.triangles[i]], positions[limb.mesh.triangles[i + 2]]));
     return longest;
   };
   const double bind = longest_edge(limb.mesh.positions);

@@ -46,7 +46,9 @@ struct Cloud {
     ASSERT_TRUE(job().validate());
     job().run();
   }
-  Eigen::Matrix4d dense(std::size_t v) const { return dense_blend(dense_weights(influences, palette.size()), palette, v); }
+  Eigen::Matrix4d dense(std::size_t v) const {
+    return dense_blend(dense_weights(influences, palette.size()), palette, v);
+  }
 };
 
 TEST(Ssd, IsTheWeightedSumOfTheMatricesTimesTheVertex) {

@@ -163,11 +163,28 @@ TEST(CharacterMesh, AVertexWithoutWeightsFollowsItsMeshsNode) {
   influences.add_vertex({});
   for (std::size_t v = 1; v < vertices; ++v) influences.add_vertex({{2, 1.0}});
   const CharacterMesh mesh = character_mesh(model);
-  const MeshPart& clothes = *std::find_if(mesh.parts.begin(), mesh.parts.end(),
-                                          [](const MeshPart& part) { return part.mesh == "clothes"; });
+  const MeshPart& clothes =
+      *std::find_if(mesh.parts.begin(), mesh.parts.end(), [](const MeshPart& part) { return part.mesh == "clothes"; });
   EXPECT_EQ(mesh.bone(clothes.first_vertex), clothes_node);
   EXPECT_EQ(mesh.palette[run_of(mesh, clothes.first_vertex)[0].joint].inverse_bind, Mat4(1.0));
   EXPECT_EQ(mesh.bone(clothes.first_vertex + 1), first_joint + 2);
+}
+
+TEST(CharacterMesh, WhatTheSceneDrawsIsCountedBeforeItIsGathered) {
+  Model model;
+  model.file = "many.glb";
+  Primitive large;
+  large.positions.resize(most_drawn_vertices / 4);
+  model.meshes = {{"large", {large}, {}}};
+  for (int i = 0; i < 4; ++i) link(model, -1, drawing("node", 0, -1));
+  const int one_more = link(model, -1, drawing("node", 0, -1));
+  const auto refused = check_drawn_vertices(model);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::bad_input);
+  EXPECT_NE(refused.error().message.find("many.glb: its nodes draw 10000000 vertices"), std::string::npos)
+      << refused.error().message;
+  std::erase(model.roots, one_more);
+  EXPECT_TRUE(check_drawn_vertices(model)) << "as many as there may be; what the scene does not show is not drawn";
 }
 
 TEST(CharacterMesh, TextureCoordinatesAreZeroWhereThereAreNone) {
@@ -186,7 +203,8 @@ TEST(CharacterMesh, TextureCoordinatesAreZeroWhereThereAreNone) {
 TEST(CharacterMesh, MorphDeltasAreThoseOfTheTargetsWithoutTheZeros) {
   Model model;
   Primitive one = triangle(10), other = triangle(20);
-  one.morph_targets = {{"up", {Vec3(0), Vec3(0, 1, 0), Vec3(0)}, {}}, {"turn", {}, {Vec3(0), Vec3(1, 0, 0), Vec3(2, 0, 0)}}};
+  one.morph_targets = {{"up", {Vec3(0), Vec3(0, 1, 0), Vec3(0)}, {}},
+                       {"turn", {}, {Vec3(0), Vec3(1, 0, 0), Vec3(2, 0, 0)}}};
   other.morph_targets = {{"up", {Vec3(0, 3, 0), Vec3(0), Vec3(0)}, {}}, {"turn", {}, {}}};
   model.meshes = {{"plain", {triangle(0)}, {}}, {"a", {one, other}, {}}};
   link(model, -1, drawing("plain", 0, -1));

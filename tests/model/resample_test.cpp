@@ -38,8 +38,8 @@ double area_of(const CharacterMesh& mesh) {
   double area = 0.0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
     const Vec3& a = mesh.positions[mesh.triangles[i]];
-    area += 0.5 * glm::length(glm::cross(mesh.positions[mesh.triangles[i + 1]] - a,
-                                         mesh.positions[mesh.triangles[i + 2]] - a));
+    area += 0.5 * glm::length(
+                      glm::cross(mesh.positions[mesh.triangles[i + 1]] - a, mesh.positions[mesh.triangles[i + 2]] - a));
   }
   return area;
 }

@@ -33,12 +33,8 @@ struct Motion {
 };
 
 /// A polynomial of the third degree in each component.
-const Motion cubic{[](double t) {
-                     return Vec3(1 + t * (2 + t * (-3 + t)), t * t * t, 0.5 - t);
-                   },
-                   [](double t) {
-                     return Vec3(2 + t * (-6 + 3 * t), 3 * t * t, -1);
-                   }};
+const Motion cubic{[](double t) { return Vec3(1 + t * (2 + t * (-3 + t)), t * t * t, 0.5 - t); },
+                   [](double t) { return Vec3(2 + t * (-6 + 3 * t), 3 * t * t, -1); }};
 
 Channel channel_of(const Motion& motion, ChannelPath path, Interpolation interpolation) {
   Channel channel{0, path, interpolation, 3, key_times, {}};
@@ -74,7 +70,9 @@ TEST(ClipSampling, ACubicSplineIsTheSpecificationsHermiteForm) {
   // glTF 2.0, appendix C.5, with a jump of the speed at the key in the middle: out-tangent and in-tangent differ.
   Channel channel{0, ChannelPath::scale, Interpolation::cubic_spline, 3, {1.0, 3.0, 4.0}, {}};
   for (int i = 0; i < 27; ++i) channel.values.push_back(std::sin(3.0 * i));
-  const auto at = [&](std::size_t key, std::size_t row, std::size_t k) { return channel.values[(key * 3 + row) * 3 + k]; };
+  const auto at = [&](std::size_t key, std::size_t row, std::size_t k) {
+    return channel.values[(key * 3 + row) * 3 + k];
+  };
   for (const double t : {1.2, 2.0, 2.9, 3.1, 3.75}) {
     const std::size_t k = t < 3.0 ? 0 : 1;
     const double duration = channel.times[k + 1] - channel.times[k], u = (t - channel.times[k]) / duration;
@@ -94,12 +92,14 @@ TEST(ClipSampling, LinearKeysReproduceStraightLinesAndMeetAtTheKeys) {
   const Channel bent = channel_of(cubic, ChannelPath::translation, Interpolation::linear);
   for (double t = 0.25; t < 3.0; t += 0.01)
     EXPECT_LT(glm::length(sampled(straight, t).local[0].scale - line.place(t)), rounding);
-  EXPECT_LT(glm::length(sampled(bent, 2.125).local[0].translation - 0.5 * (cubic.place(1.25) + cubic.place(3.0))), rounding);
+  EXPECT_LT(glm::length(sampled(bent, 2.125).local[0].translation - 0.5 * (cubic.place(1.25) + cubic.place(3.0))),
+            rounding);
 }
 
 TEST(ClipSampling, AStepHoldsUntilTheNextKey) {
   const Channel channel = channel_of(cubic, ChannelPath::translation, Interpolation::step);
-  for (const auto& [t, key] : {std::pair(0.25, 0.25), {0.4999999, 0.25}, {0.5, 0.5}, {1.0, 0.5}, {2.9, 1.25}, {3.0, 3.0}})
+  for (const auto& [t, key] :
+       {std::pair(0.25, 0.25), {0.4999999, 0.25}, {0.5, 0.5}, {1.0, 0.5}, {2.9, 1.25}, {3.0, 3.0}})
     EXPECT_EQ(sampled(channel, t).local[0].translation, cubic.place(key)) << t;
 }
 
@@ -116,7 +116,11 @@ TEST(ClipSampling, EveryKeyIsReachedExactlyAndTheEndsAreHeld) {
 TEST(ClipSampling, OneKeyIsAConstant) {
   for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline}) {
     const bool is_cubic = interpolation == Interpolation::cubic_spline;
-    const Channel channel{0, ChannelPath::translation, interpolation, 3, {1.0},
+    const Channel channel{0,
+                          ChannelPath::translation,
+                          interpolation,
+                          3,
+                          {1.0},
                           is_cubic ? std::vector<double>{9, 9, 9, 1, 2, 3, 9, 9, 9} : std::vector<double>{1, 2, 3}};
     for (const double t : {0.0, 1.0, 2.0}) EXPECT_EQ(sampled(channel, t).local[0].translation, Vec3(1, 2, 3));
   }
@@ -149,7 +153,8 @@ TEST(ClipSampling, RotationsAreUnitLengthAndInTheFilesOrder) {
   const Quat a(0.6, 0.8, 0, 0), b(0.6, 0, 0.8, 0);
   for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline})
     for (double t = 0.2; t < 0.6; t += 0.03)
-      EXPECT_NEAR(glm::length(sampled(rotation_channel({2.0 * a, b}, interpolation), t).local[0].rotation), 1.0, rounding);
+      EXPECT_NEAR(glm::length(sampled(rotation_channel({2.0 * a, b}, interpolation), t).local[0].rotation), 1.0,
+                  rounding);
   // With level tangents the middle of a spline is the mean of both keys, then of unit length.
   const Quat middle = sampled(rotation_channel({a, b}, Interpolation::cubic_spline), 0.375).local[0].rotation;
   EXPECT_LT(glm::length(middle - glm::normalize(a + b)), rounding);

@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/support/small_rig.h"
 

@@ -66,7 +66,8 @@ inline double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec
   double largest = 0.0;
   // Written so that a number that is none counts as far.
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (!(glm::length(a[i] - b[i]) <= largest)) largest = std::isnan(a[i].x + b[i].x) ? INFINITY : glm::length(a[i] - b[i]);
+    if (!(glm::length(a[i] - b[i]) <= largest))
+      largest = std::isnan(a[i].x + b[i].x) ? INFINITY : glm::length(a[i] - b[i]);
   return largest;
 }
 
