@@ -155,11 +155,25 @@ TEST_F(Placement, EveryExplicitKeyOverridesThePreset) {
   EXPECT_EQ(m.sigma, Vec2(0.25, 0.125));
   EXPECT_EQ(m.rest_angle, 160);
   EXPECT_EQ(m.reference_angle, 20);
-  // One key alone leaves the rest as it was, and the driver follows an overridden child.
+  // One key alone leaves the rest as it was.
   MuscleSpec lower = preset(MusclePreset::biceps);
   lower.peak = -0.01;
   EXPECT_EQ(placed(body, lower).muscle.peak, -0.01);
   EXPECT_EQ(placed(body, lower).muscle.sigma, placed(body, preset(MusclePreset::biceps)).muscle.sigma);
+}
+
+TEST_F(Placement, ThePresetsDriverFollowsAnotherChild) {
+  MuscleSpec spec = preset(MusclePreset::biceps);
+  spec.child = "leftHand";
+  spec.tip = "head";  // the hand has no joint after it
+  EXPECT_EQ(placed(body, spec).muscle.driver, body.node("leftHand"));
+}
+
+TEST_F(Placement, OnlyTheBendAtTheBonesOwnEndTellsTheFlexorSide) {
+  const Fleshed bent(arms_of({.elbow = {0.46, 1.43, 0}, .hand = {0.6, 1.60, 0.0}}));
+  MuscleSpec spec = preset(MusclePreset::biceps);
+  spec.driver = "rightLowerArm";
+  EXPECT_LT(glm::distance(placed(bent, spec).region.plane.normal, Vec3(0, 0, 1)), rounding);
 }
 
 MuscleSpec stated_muscle() {

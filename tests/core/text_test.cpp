@@ -33,6 +33,7 @@ TEST(Text, CountsInsertionsRemovalsAndReplacements) {
   const std::vector<std::string> one = {"abcd"};
   EXPECT_EQ(nearest_name("bd", one), "abcd");
   EXPECT_EQ(nearest_name("d", one), std::nullopt);
+  EXPECT_EQ(nearest_name("abcdef", one), "abcd");
   const std::vector<std::string> sitting = {"sitting"};
   EXPECT_EQ(nearest_name("kitten", sitting), "sitting");  // the textbook's three edits
 }

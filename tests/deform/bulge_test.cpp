@@ -215,15 +215,14 @@ TEST_F(Bulge, SingularBlendsGiveNumbers) {
     }
 }
 
-/// Heights to either side of a region's edge, over a patch made of pairs of vertices a hair apart.
+/// Heights a hair to either side of a region's edge.
 struct Step {
   double inside = 0.0, outside = 0.0;
 };
 
-/// Two heights at `place` and `place + hair` of a surface: the vertices are sample 0's middle and its +u or +v.
-Step step_at(const Surface& surface, Muscle muscle, BulgeMode mode, bool along_v) {
-  Model model = patch({.surface = surface, .low = {0, 0}, .high = {0, 0}, .samples = 1});
-  const TestCharacter pair(model);
+/// The step at u = v = 0 of a surface that leaves the region there, growing u or v.
+Step step_at(const Surface& surface, const Muscle& muscle, BulgeMode mode, bool along_v) {
+  const TestCharacter pair(patch({.surface = surface, .low = {0, 0}, .high = {0, 0}, .samples = 1}));
   const MuscleRegion region = pair.region(muscle);
   const ActiveMuscle active[] = {{muscle, region, 1.0}};
   const std::vector<double> heights = deformed(pair, rest_pose(pair.model), {.muscles = active, .bulge = mode}).heights;
@@ -286,6 +285,17 @@ TEST(BulgeEdge, NoStepIsLeftOnAWholeLimb) {
   EXPECT_LT(largest_jump(4, BulgeMode::on), 0.6 * largest_jump(2, BulgeMode::on));
   EXPECT_GT(largest_jump(4, BulgeMode::paper), 0.9 * largest_jump(2, BulgeMode::paper));
   EXPECT_GT(largest_jump(4, BulgeMode::paper), 0.1);
+}
+
+TEST(BulgeJob, HeightsOfAnEarlierPoseAreForgotten) {
+  const std::vector<Vec3> bind_normals(2, Vec3(0, 0, 1));
+  const std::vector<Mat3> blend(2, Mat3(1));
+  for (const BulgeMode mode : {BulgeMode::off, BulgeMode::on, BulgeMode::paper}) {
+    std::vector<Vec3> positions(2), normals = bind_normals;
+    std::vector<double> heights = {0.5, -1.0};
+    BulgeJob{{}, mode, bind_normals, blend, blend, positions, normals, heights}.run();
+    EXPECT_EQ(heights, (std::vector<double>{0.0, 0.0}));
+  }
 }
 
 TEST(BulgeJob, EveryInvalidSpanIsNamed) {

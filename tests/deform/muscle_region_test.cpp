@@ -264,14 +264,14 @@ TEST(MuscleRegion, AVertexsBoneIsTheFirstOfEqualSumsInTheSkinsList) {
 
 TEST(LimbRadius, IsTheMeanDistanceToTheAxisNearTheCentre) {
   Model model = tube({.radius = 0.2});
-  // A cone: radius 0.2 + 0.1 y. The region's centre is in the middle of rings symmetric to it.
-  for (Vec3& p : model.meshes[0].primitives[0].positions) p *= Vec3(1 + 0.5 * p.y, 1, 1 + 0.5 * p.y);
+  // A trumpet: its radius 0.2 + 0.2 y^2 grows faster and faster, so that a mean over more rings is another.
+  for (Vec3& p : model.meshes[0].primitives[0].positions) p *= Vec3(1 + p.y * p.y, 1, 1 + p.y * p.y);
   const TestCharacter limb(model);
   const Muscle muscle = upper_muscle();
   const MuscleRegion region = limb.region(muscle);
   EXPECT_NEAR(region.centre.y, 0.5625, rounding);
   // Within 0.05 of 0.5625 stands one ring, the next ones are 1/16 away.
-  EXPECT_NEAR(limb_radius(limb.model, limb.mesh, limb.rest, muscle, region), 0.2 + 0.1 * 0.5625, rounding);
+  EXPECT_NEAR(limb_radius(limb.model, limb.mesh, limb.rest, muscle, region), 0.2 + 0.2 * 0.5625 * 0.5625, rounding);
 }
 
 TEST(LimbRadius, TakesTheNearestWhereNoneIsThatNear) {

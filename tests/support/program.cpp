@@ -10,6 +10,7 @@
 #include <atomic>
 #include <csignal>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -165,8 +166,9 @@ std::vector<ProgramResult> run_programs(const std::vector<Arguments>& arguments,
 nlohmann::json json_of(const ProgramResult& result) {
   auto json = nlohmann::json::parse(result.out, nullptr, false);
   if (json.is_object()) return json;
-  ADD_FAILURE() << "stdout is not exactly one JSON object: " << result.out << result;
-  return nlohmann::json::object();
+  std::ostringstream message;
+  message << "stdout is not exactly one JSON object: " << result.out << result;
+  throw std::runtime_error(message.str());
 }
 
 TemporaryFolder::TemporaryFolder() {
@@ -182,7 +184,8 @@ TemporaryFolder::~TemporaryFolder() {
 
 std::set<std::string> TemporaryFolder::names() const {
   std::set<std::string> found;
-  for (const auto& entry : fs::recursive_directory_iterator(path_)) found.insert(fs::relative(entry, path_).string());
+  for (const auto& entry : fs::recursive_directory_iterator(path_))
+    found.insert(entry.path().lexically_relative(path_).string());
   return found;
 }
 

@@ -69,7 +69,7 @@ ProgramResult run_program(const Arguments& arguments, const ProgramOptions& opti
 /// Runs them all, as many at a time as there are cores; the results are in the arguments' order.
 std::vector<ProgramResult> run_programs(const std::vector<Arguments>& arguments, const ProgramOptions& options = {});
 
-/// What `--json` printed. Anything beside exactly one object on stdout fails the test and gives an empty object.
+/// What `--json` printed. Throws where stdout is anything but exactly one object: no test can go on without it.
 nlohmann::json json_of(const ProgramResult& result);
 
 /// An empty folder that is removed with all that is in it.
