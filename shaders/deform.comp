@@ -53,7 +53,8 @@ void add_joint(inout Rows rows, uint joint, float weight) {
   rows.z += weight * palette_word(first + 2);
 }
 
-// Adds one region's height, and its change over the bind surface as a covector.
+// Adds one region's height, and its change over the bind surface as a covector. The zero words that every character's
+// details begin with add nothing.
 void add_region(uint first, inout float height, inout vec3 gradient) {
   const vec4 place = uintBitsToFloat(detail_word(first));
   const uvec4 along_word = detail_word(first + 1);
@@ -62,7 +63,7 @@ void add_region(uint first, inout float height, inout vec3 gradient) {
   const vec4 muscle = muscle_word(along_word.w);
   const float x = place.x, y = place.y;
   const float g = muscle.z * exp(-0.5 * (x * x * muscle.x + y * y * muscle.y));
-  const float fade = bulge == bulge_paper ? 1.0 : place.z;
+  const float fade = bulge == bulge_paper ? (first == 0 ? 0.0 : 1.0) : place.z;
   const float fade_slope = bulge == bulge_paper ? 0.0 : place.w;
   height += g * fade;
   gradient += g * ((fade_slope - x * muscle.x * fade) * along_axis - y * muscle.y * fade * across_axis);
@@ -129,8 +130,15 @@ void main() {
   float height = 0.0;
   if (bulge != bulge_off) {
     vec3 gradient = vec3(0);
+    // llvmpipe runs a loop's body once before it looks whether any lane wants it: so the first region, real or the zero
+    // words, is added whatever the number.
     const uint regions = word0.w >> link_shift;
-    for (uint i = 0; i < regions; ++i, detail += words_per_region) add_region(detail, height, gradient);
+    if (regions == 0) detail = 0;
+    uint i = 0;
+    do {
+      add_region(detail, height, gradient);
+      detail += words_per_region;
+    } while (++i < regions);
     posed += height * outward;
     if (gradient != vec3(0) && determinant != 0.0) {
       // The swollen surface's normal is n' minus the tangential part of A^-T grad h: Sherman and Morrison's formula for

@@ -6,8 +6,8 @@
 //   word 2: joints 0 and 1, joints 2 and 3 (16 bits each, the lower first), weights of influences 2 and 3 (float)
 // The largest weight is not stored: it is 1 minus the others, so that the sum is exact whatever the rounding.
 //
-// Details, words of 16 bytes: what only some vertices have. Word 0 is zero and serves all vertices that have none. In a
-// character with morph targets or with more than 4 influences the details of a vertex begin with a header
+// Details, words of 16 bytes: what only some vertices have. The first words_per_region words are zero and serve all vertices
+// that have none. In a character with morph targets or with more than 4 influences the details of a vertex begin with a header
 //   {number of morph deltas, 1 where there are influences 4 to 7 else 0, 0, 0}
 //   a morph delta:  {position x, y, z, morph slot (uint)} {normal x, y, z, 0}
 //   influences 4-7: {joints 4 and 5, joints 6 and 7, 0, 0} {their weights}

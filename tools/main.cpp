@@ -1,11 +1,13 @@
 /// sinew: a character deformer and renderer. Each command stands in a file cmd_<name>.cpp.
 
+#include <algorithm>
 #include <iostream>
 
 #include <spdlog/spdlog.h>
 
 #include "engine/app/version.h"
 #include "engine/core/interrupt.h"
+#include "engine/core/text.h"
 #include "tools/command.h"
 
 namespace {
@@ -14,6 +16,23 @@ using namespace sinew;
 using namespace sinew::tools;
 
 int exit_code(ErrorKind kind) { return static_cast<int>(kind); }
+
+/// What to say where the first word is meant as a command and is none.
+std::optional<std::string> unknown_command(const CLI::App& program, int count, char** words) {
+  if (count < 2 || words[1][0] == '-') return std::nullopt;
+  std::vector<std::string> known;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) known.push_back(command->get_name());
+  if (std::find(known.begin(), known.end(), words[1]) != known.end()) return std::nullopt;
+  return fmt::format("there is no command \"{}\"{}; there are {}", words[1], did_you_mean(words[1], known),
+                     fmt::join(known, ", "));
+}
+
+/// A report that does not reach its reader is an output that cannot be written.
+int flush_report() {
+  if (std::cout.flush()) return 0;
+  spdlog::error("the report cannot be written to stdout");
+  return exit_code(ErrorKind::cannot_write);
+}
 
 int run_program(int count, char** words) {
   CLI::App program("sinew: skinned characters that flex, in pictures made by Vulkan compute");
@@ -31,11 +50,12 @@ int run_program(int count, char** words) {
   } catch (const CLI::Success& asked) {
     return program.exit(asked);
   } catch (const CLI::ParseError& wrong) {
-    std::cerr << "error: " << wrong.what() << "\nRun with --help for more information.\n";
+    std::cerr << "error: " << unknown_command(program, count, words).value_or(wrong.what())
+              << "\nRun with --help for more information.\n";
     return exit_code(ErrorKind::usage);
   }
   const Result<void> done = run();
-  if (done) return 0;
+  if (done) return flush_report();
   spdlog::error("{}", done.error().message);
   return exit_code(done.error().kind);
 }

@@ -59,19 +59,26 @@ void FrameMaker::upload(const std::vector<CharacterState>& states) {
     renderer_.deformer(i).set_state({states[i].palette, states[i].morph_weights, states[i].activations});
 }
 
-Shot FrameMaker::shot(int frame) const {
-  const Camera& camera = stage_->scene.camera;
-  ViewDirection towards = direction(look_.view.value_or(camera.view));
-  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame));
-  const double aspect = double(look_.size.width) / look_.size.height;
-  Shot shot;
-  shot.viewpoint = frame_box(bounds_, towards, aspect);
-  if (camera.target || camera.distance) {
-    const Vec3 target = camera.target ? camera.target->value_at(frame) : bounds_.centre();
-    const double distance =
-        camera.distance ? camera.distance->value_at(frame) : glm::length(shot.viewpoint.eye - bounds_.centre());
-    shot.viewpoint = look_at(target, distance, bounds_, towards);
+Viewpoint FrameMaker::viewpoint(int frame) const {
+  // A view that was asked for on the command line stands in place of all that the scene says about its camera.
+  Camera camera = stage_->scene.camera;
+  if (look_.view) {
+    camera = {};
+    camera.view = *look_.view;
   }
+  ViewDirection towards = direction(camera.view);
+  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame));
+  const Viewpoint framed = frame_box(bounds_, towards, double(look_.size.width) / look_.size.height);
+  if (!camera.target && !camera.distance) return framed;
+  const Vec3 target = camera.target ? camera.target->value_at(frame) : bounds_.centre();
+  const double distance =
+      camera.distance ? camera.distance->value_at(frame) : glm::length(framed.eye - bounds_.centre());
+  return look_at(target, distance, bounds_, towards);
+}
+
+Shot FrameMaker::shot(int frame) const {
+  Shot shot;
+  shot.viewpoint = viewpoint(frame);
   shot.shading = look_.shading.value_or(stage_->scene.look.shading);
   shot.background = background_words(look_.background.value_or(stage_->scene.look.background));
   shot.largest_bulge = largest_bulge(*stage_);

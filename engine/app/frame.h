@@ -10,7 +10,7 @@ namespace sinew {
 struct LookOptions {
   PictureSize size;
   int samples = 1;
-  std::optional<View> view;
+  std::optional<View> view;     ///< in place of the scene's whole camera
   std::optional<double> orbit;  ///< degrees, counter-clockwise seen from above
   std::optional<Shading> shading;
   std::optional<Colour> background;
@@ -33,6 +33,7 @@ class FrameMaker {
   Renderer& renderer() { return renderer_; }
 
  private:
+  Viewpoint viewpoint(int frame) const;
   FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds);
 
   Renderer renderer_;

@@ -15,6 +15,23 @@ namespace {
 
 constexpr std::size_t largest_scene_file = std::size_t{64} << 20;
 
+/// An error, with the place in the scene file that asked for what went wrong; a bare model has no such place.
+class Place {
+ public:
+  Place(std::string source, bool bare_model, std::size_t character)
+      : prefix_(bare_model ? "" : fmt::format("{}: /characters/{}", source, character)) {}
+
+  template <class T>
+  tl::unexpected<Error> at(const std::string& pointer, Result<T>&& failed) const {
+    Error error = std::move(failed.error());
+    if (!prefix_.empty()) error.message = fmt::format("{}{}: {}", prefix_, pointer, error.message);
+    return tl::unexpected<Error>(std::move(error));
+  }
+
+ private:
+  std::string prefix_;
+};
+
 /// A scene, and whether it was made up for a bare model, which has defaults of its own.
 struct OpenedScene {
   Scene scene;
@@ -81,20 +98,20 @@ Result<int> find_clip(const Model& model, const ClipChoice& choice) {
                    fmt::join(names, ", "));
 }
 
-Result<void> choose_clip(StagedCharacter& character, const SceneOptions& options, bool bare_model) {
+Result<void> choose_clip(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place) {
   std::optional<ClipChoice> choice = options.clip ? options.clip : character.scene.clip;
   if (!choice && bare_model && !character.model->clips.empty()) choice = 0;
   if (!choice) return {};
   auto clip = find_clip(*character.model, *choice);
-  if (!clip) return pass_on(std::move(clip));
+  if (!clip) return options.clip ? pass_on(std::move(clip)) : place.at("/clip", std::move(clip));
   character.clip = *clip;
   return {};
 }
 
-Result<void> find_tracks(StagedCharacter& character) {
+Result<void> find_tracks(StagedCharacter& character, const Place& place) {
   for (const auto& [joint, keys] : character.scene.keys) {
-    const auto node = find_joint(*character.model, character.humanoid, joint);
-    if (!node) return bad_input("keys: {}", node.error().message);
+    auto node = find_joint(*character.model, character.humanoid, joint);
+    if (!node) return place.at("/keys/" + joint, std::move(node));
     character.tracks.push_back({*node, keys});
   }
   return {};
@@ -119,44 +136,50 @@ Result<void> add_poses(Stage& stage, const std::vector<PoseOption>& poses) {
   return {};
 }
 
-Result<void> place_muscles(StagedCharacter& character, bool bare_model, std::vector<std::string>& problems) {
+Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Place& place,
+                           std::vector<std::string>& problems) {
   const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
   if (bare_model) {
     character.muscles = default_muscles(context, problems);
     return {};
   }
-  for (const MuscleSpec& spec : character.scene.muscles) {
-    auto placed = place_muscle(context, spec);
-    if (!placed) return bad_input("{}: {}", character.scene.model.string(), placed.error().message);
+  for (std::size_t i = 0; i < character.scene.muscles.size(); ++i) {
+    auto placed = place_muscle(context, character.scene.muscles[i]);
+    if (!placed) return place.at(fmt::format("/muscles/{}", i), std::move(placed));
     character.muscles.push_back(std::move(*placed));
   }
   return {};
 }
 
-Result<void> prepare(StagedCharacter& character, const SceneOptions& options, bool bare_model,
-                     std::vector<std::string>& problems) {
+/// What follows from the model alone.
+Result<void> prepare_model(StagedCharacter& character, const SceneOptions& options) {
   if (auto ok = load_model(character); !ok) return ok;
   const Model& model = *character.model;
-  const std::size_t first_problem = problems.size();
-  problems.insert(problems.end(), model.problems.begin(), model.problems.end());
   character.order = hierarchy_order(model);
   character.rest_rotations = rest_rotations(model, character.order);
   if (auto ok = check_drawn_vertices(model); !ok) return ok;
   character.mesh = character_mesh(model);
   if (options.vertices > 0) {
     auto mesh = resample(character.mesh, options.vertices);
-    if (!mesh) return pass_on(std::move(mesh));
+    if (!mesh) return bad_input("{}: {}", character.scene.model.string(), mesh.error().message);
     character.mesh = std::move(*mesh);
   }
   character.rest = rest_shape(model, character.mesh, character.order);
   for (MeshPart& part : character.mesh.parts)
     if (part.vertex_count > 0) part.mirrored = glm::determinant(character.rest.blend[part.first_vertex]) < 0.0;
   character.humanoid = find_humanoid(model, character.rest.global);
-  if (auto ok = choose_clip(character, options, bare_model); !ok) return ok;
-  if (auto ok = find_tracks(character); !ok) return ok;
-  if (auto ok = place_muscles(character, bare_model, problems); !ok) return ok;
-  for (std::size_t i = first_problem; i < problems.size(); ++i)
-    problems[i] = fmt::format("{}: {}", character.scene.model.string(), problems[i]);
+  return {};
+}
+
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place,
+                     std::vector<std::string>& problems) {
+  if (auto ok = prepare_model(character, options); !ok) return place.at("/model", std::move(ok));
+  std::vector<std::string> found = character.model->problems;
+  if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
+  if (auto ok = find_tracks(character, place); !ok) return ok;
+  if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
+  for (const std::string& problem : found)
+    problems.push_back(fmt::format("{}: {}", character.scene.model.string(), problem));
   return {};
 }
 
@@ -214,13 +237,10 @@ Result<Stage> open_stage(const SceneOptions& options) {
   if (options.fps) stage.scene.fps = *options.fps;
   for (const Character& character : stage.scene.characters) {
     note_unsupported(character, stage.problems);
+    const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
-    if (auto ok = prepare(staged, options, opened->bare_model, stage.problems); !ok) {
-      const bool names_file = ok.error().message.find(character.model.string()) != std::string::npos;
-      return names_file && opened->bare_model ? pass_on(std::move(ok))
-                                              : bad_input("{}: {}", stage.source, ok.error().message);
-    }
+    if (auto ok = prepare(staged, options, opened->bare_model, place, stage.problems); !ok) return pass_on(std::move(ok));
   }
   if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
   stage.range = stage.scene.frames.value_or(natural_range(stage));

@@ -1,5 +1,7 @@
 #include "engine/app/stage.h"
 
+#include <set>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/rig/clip_sampling.h"
@@ -7,7 +9,8 @@
 namespace sinew {
 namespace {
 
-/// Frames at which a range is sampled for its bounds at the most.
+/// Up to this many frames a range's bounds are taken from every frame; beyond it from so many evenly spaced ones, and from
+/// every key of the scene.
 constexpr int most_bounds_samples = 256;
 
 Mat4 placement(const Character& character, double frame) {
@@ -19,6 +22,26 @@ Bounds bounds_of(const std::vector<Vec3>& points) {
   Bounds bounds;
   for (const Vec3& p : points) bounds.add(p);
   return bounds;
+}
+
+template <class T>
+void add_key_frames(const Keyed<T>& keyed, const FrameSpan& range, std::set<int>& frames) {
+  for (const auto& key : keyed.keys)
+    if (key.frame >= range.first && key.frame <= range.last) frames.insert(static_cast<int>(std::round(key.frame)));
+}
+
+/// The frames from which a character's bounds are taken.
+std::set<int> bounds_frames(const FrameSpan& range, const StagedCharacter& character) {
+  std::set<int> frames;
+  const int length = range.last - range.first;
+  const int samples = std::max(std::min(length, most_bounds_samples - 1), 1);
+  for (int i = 0; i <= samples; ++i)
+    frames.insert(range.first + static_cast<int>(std::round(double(length) * i / samples)));
+  if (length < most_bounds_samples) return frames;
+  add_key_frames(character.scene.position, range, frames);
+  add_key_frames(character.scene.turn, range, frames);
+  for (const StagedCharacter::JointTrack& track : character.tracks) add_key_frames(track.degrees, range, frames);
+  return frames;
 }
 
 }  // namespace
@@ -78,13 +101,11 @@ Bounds rest_bounds(const Stage& stage) {
 
 Bounds stage_bounds(const Stage& stage) {
   Bounds bounds = rest_bounds(stage);
-  const int frames = stage.range.last - stage.range.first;
-  const int samples = std::min(frames, most_bounds_samples - 1);
   for (std::size_t c = 0; c < stage.characters.size(); ++c) {
-    for (int i = 0; i <= samples; ++i) {
-      const double frame = samples == 0 ? stage.range.first : stage.range.first + double(frames) * i / samples;
-      const CharacterState state = character_state(stage, c, std::round(frame));
-      bounds.add(bounds_of(deform_on_cpu(stage.characters[c], state, Deformer::ssd, BulgeMode::off).positions));
+    const StagedCharacter& character = stage.characters[c];
+    for (const int frame : bounds_frames(stage.range, character)) {
+      const CharacterState state = character_state(stage, c, frame);
+      bounds.add(bounds_of(deform_on_cpu(character, state, Deformer::ssd, BulgeMode::off).positions));
     }
   }
   if (bounds.empty()) bounds.add(Vec3(0.0));

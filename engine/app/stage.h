@@ -71,8 +71,8 @@ DeformedVertices deform_on_cpu(const StagedCharacter& character, const Character
 /// The box round the rest pose, world space at the first frame of the range; empty where nothing is drawn.
 Bounds rest_bounds(const Stage& stage);
 
-/// The box round the rest pose and the scene's whole range, plain SSD, world space. Long ranges are sampled at evenly
-/// spaced frames, both ends among them.
+/// The box round the rest pose and the scene's whole range, plain SSD, world space. Ranges of over 256 frames are
+/// sampled at evenly spaced frames, both ends among them, and at the scene's keys.
 Bounds stage_bounds(const Stage& stage);
 
 /// The frames that were asked for; else, for one picture, the first of the range; else the whole range.

@@ -35,7 +35,7 @@ bool nearly_singular(const Mat3& blend) {
     for (int j = 0; j < 3; ++j) symmetric(i, j) = squared[j][i];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric, Eigen::EigenvaluesOnly);
   constexpr double ratio = 0.05;
-  return !(solver.eigenvalues()(0) >= ratio * ratio * solver.eigenvalues()(2));
+  return !(solver.eigenvalues()(0) > ratio * ratio * solver.eigenvalues()(2));
 }
 
 }  // namespace sinew

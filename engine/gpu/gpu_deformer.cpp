@@ -89,7 +89,8 @@ void create_layouts(GpuDeformer::Impl& d, std::size_t chunks) {
 }
 
 void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const GpuDeformerOptions& options) {
-  const std::array<uint32_t, 4> values{static_cast<uint32_t>(options.deformer), static_cast<uint32_t>(options.bulge),
+  const BulgeMode bulge = d.muscles.empty() ? BulgeMode::off : options.bulge;
+  const std::array<uint32_t, 4> values{static_cast<uint32_t>(options.deformer), static_cast<uint32_t>(bulge),
                                        packed.has_morphs, packed.has_extra_influences};
   const std::array entries{vk::SpecializationMapEntry(layout::constant_deformer, 0, 4),
                            vk::SpecializationMapEntry(layout::constant_bulge, 4, 4),

@@ -45,7 +45,7 @@ class Packer {
  public:
   Packer(const CharacterMesh& mesh, const RestShape& rest, std::span<const PlacedMuscle> muscles)
       : mesh_(mesh), rest_(rest), muscles_(muscles), regions_(regions_by_vertex(mesh.vertices(), muscles)) {
-    packed_.details.push_back({});
+    packed_.details.resize(layout::words_per_region);
     packed_.has_morphs = !mesh.morph_deltas.empty();
     for (std::size_t v = 0; v < mesh.vertices(); ++v)
       packed_.has_extra_influences |= mesh.influences.first[v + 1] - mesh.influences.first[v] > 4;

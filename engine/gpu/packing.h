@@ -21,7 +21,7 @@ struct Word {
 
 struct PackedCharacter {
   std::vector<Word> vertices;  ///< [vertices * layout::words_per_vertex]
-  std::vector<Word> details;   ///< of the vertices that have any; word 0 is zero
+  std::vector<Word> details;   ///< of the vertices that have any; the first few words are zero
   bool has_morphs = false;
   bool has_extra_influences = false;
 

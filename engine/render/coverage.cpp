@@ -24,8 +24,7 @@ struct PixelBox {
 /// rasteriser does it).
 class Band {
  public:
-  explicit Band(const PixelBox& box)
-      : box_(box), columns_(box.right - box.left + 1), rows_(box.bottom - box.top) {
+  explicit Band(const PixelBox& box) : box_(box), columns_(box.right - box.left + 1), rows_(box.bottom - box.top) {
     cells_.resize(std::size_t(columns_) * rows_);
     touched_.assign(rows_, {columns_, -1});
   }
@@ -37,7 +36,10 @@ class Band {
     if (sense < 0.0) std::swap(a, b);
     const double top = box_.top, bottom = box_.bottom;
     if (!(a.y < bottom && b.y > top && a.y < b.y)) return;
-    const auto at_y = [&](double y) { return Vec2(a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y)), y); };
+    const auto at_y = [&](double y) {
+      const double x = a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y));
+      return Vec2(std::clamp(x, std::min(a.x, b.x), std::max(a.x, b.x)), y);
+    };
     const Vec2 first = a.y < top ? at_y(top) : a, last = b.y > bottom ? at_y(bottom) : b;
     double parts[4] = {0.0, 1.0, 1.0, 1.0};
     int count = 1;

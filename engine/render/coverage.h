@@ -24,8 +24,9 @@ struct CoverageRow {
 };
 
 /// Calls `emit` once for each row that the contours touch, top to bottom, clipped to a picture of width x height.
-/// Contours of one sense of rotation unite where they overlap; one of the other sense cuts a hole. The area of a union is
-/// exact but for pixels in which the borders of two contours overlap. A shape with a corner that is not finite is empty.
+/// Contours of one sense of rotation unite where they overlap; one of the other sense cuts a hole. The area of a union
+/// is exact but for pixels in which the borders of two contours overlap. A shape with a corner that is not finite is
+/// empty.
 void rasterise(std::span<const Contour> contours, int width, int height,
                const std::function<void(const CoverageRow&)>& emit);
 
