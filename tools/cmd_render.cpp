@@ -52,7 +52,7 @@ Result<CaptureOptions> capture_options(const Words& words) {
     if (!shard) return pass_on(std::move(shard));
     options.shard = *shard;
   }
-  if (auto ok = check_picture_name(options.output, options.scene); !ok) return pass_on(std::move(ok));
+  if (auto ok = check_output(options); !ok) return pass_on(std::move(ok));
   return options;
 }
 
@@ -61,9 +61,16 @@ nlohmann::ordered_json report_json(const CaptureReport& report, const Device& de
   nlohmann::ordered_json json;
   json["device"] = device_json(device.info());
   json["frames"] = nlohmann::ordered_json::array();
-  for (const CapturedFrame& f : report.frames)
-    json["frames"].push_back(
-        {{"frame", f.frame}, {"file", f.file}, {"sha256", f.sha256}, {"ms", f.ms}, {"skipped", f.skipped}});
+  for (const CapturedFrame& f : report.frames) {
+    nlohmann::ordered_json frame{{"frame", f.frame}};
+    if (!f.file.empty()) frame["file"] = f.file;
+    frame.update({{"sha256", f.sha256}, {"ms", f.ms}, {"skipped", f.skipped}});
+    json["frames"].push_back(std::move(frame));
+  }
+  if (!report.film.empty()) {
+    json["file"] = report.film;
+    json["sha256"] = report.film_sha256;
+  }
   json["size"] = {options.look.size.width, options.look.size.height};
   json["fps"] = stage.scene.fps;
   return json;
@@ -91,7 +98,7 @@ void add_render(CLI::App& program, Run& run) {
   command->footer("Example: sinew render arm.glb --pose leftLowerArm=0,-90,0 --view left -o arm.png");
   auto words = std::make_shared<Words>();
   add_scene_options(*command, words->scene);
-  command->add_option("-o,--output", words->output, "x.png, or x_####.png for several frames")->required();
+  command->add_option("-o,--output", words->output, "x.png, x_####.png for several frames, or a film: x.mp4, x.webm, x.gif")->required();
   add_look_options(*command, words->look);
   command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");
   command->add_flag("--resume", words->resume, "Keep frames that an earlier run of the same recipe wrote whole");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <future>
 
 #include "engine/app/recipe.h"
@@ -9,6 +10,7 @@
 #include "engine/core/frame_range.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/text.h"
+#include "engine/io/film.h"
 #include "engine/io/png.h"
 
 namespace sinew {
@@ -30,15 +32,22 @@ std::optional<CapturedFrame> kept_picture(CapturedFrame frame, const std::string
 }
 
 /// Encodes and writes one picture.
-Result<CapturedFrame> write_picture(const Picture& picture, CapturedFrame frame, const std::string& hash, bool keep_alpha,
-                                    Clock::time_point begun) {
+Result<CapturedFrame> write_picture(const Picture& picture, CapturedFrame frame, const std::string& hash, bool keep_alpha) {
   const PngText text{Recipe::png_keyword, hash};
   auto png = encode_png(picture.rgba, picture.width, picture.height, std::span(&text, 1), keep_alpha);
   if (!png) return pass_on(std::move(png));
   frame.sha256 = sha256(*png);
   if (auto ok = write_file(frame.file, *png); !ok) return pass_on(std::move(ok));
-  frame.ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   return frame;
+}
+
+bool is_film(const std::string& output) {
+  const std::string ending = lower(std::filesystem::path(output).extension().string());
+  return ending == ".mp4" || ending == ".webm" || ending == ".gif";
+}
+
+bool keeps_alpha(const Stage& stage, const CaptureOptions& options) {
+  return options.look.background.value_or(stage.scene.look.background).alpha == 0;
 }
 
 /// The shard's part: contiguous, and all parts together are all frames.
@@ -57,24 +66,119 @@ class Outcome {
     if (written) {
       report.frames.push_back(std::move(*written));
     } else {
-      if (failures_.empty()) first_ = written.error();
+      if (!first_) first_ = written.error();
       failures_.push_back(written.error().message);
     }
   }
 
   Result<void> verdict() const {
     if (failures_.empty()) return {};
-    if (report.frames.empty()) return tl::unexpected<Error>(first_);
+    if (report.frames.empty()) return tl::unexpected<Error>(*first_);
     return failure(ErrorKind::frames_failed, "{} of {} frames failed:\n  {}", failures_.size(),
                    failures_.size() + report.frames.size(), fmt::join(failures_, "\n  "));
   }
+
+  const std::optional<Error>& first_failure() const { return first_; }
 
   CaptureReport report;
 
  private:
   std::vector<std::string> failures_;
-  Error first_;
+  std::optional<Error> first_;
 };
+
+/// What is done with a finished picture, on a thread of its own, one picture after another.
+using Write = std::function<Result<CapturedFrame>(const Picture&, CapturedFrame)>;
+
+/// Draws frames while the one before is written.
+class Sequence {
+ public:
+  Sequence(FrameMaker& maker, Outcome& outcome, Write write)
+      : maker_(maker), outcome_(outcome), write_(std::move(write)) {}
+  ~Sequence() { finish(); }
+
+  Result<void> add(CapturedFrame frame) {
+    const Clock::time_point begun = Clock::now();
+    auto picture = maker_.picture(frame.frame);
+    finish();
+    if (!picture) return pass_on(std::move(picture));
+    writing_ = std::async(std::launch::async, [this, frame = std::move(frame), picture = std::move(*picture), begun] {
+      auto written = write_(picture, frame);
+      if (written) written->ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+      return written;
+    });
+    return {};
+  }
+
+  /// Waits for the last picture.
+  void finish() {
+    if (writing_.valid()) outcome_.add(writing_.get());
+  }
+
+ private:
+  FrameMaker& maker_;
+  Outcome& outcome_;
+  Write write_;
+  std::future<Result<CapturedFrame>> writing_;
+};
+
+Result<CaptureReport> capture_pictures(FrameMaker& maker, const Stage& stage, const CaptureOptions& options,
+                                       const std::vector<int>& frames, Outcome& outcome) {
+  const Recipe recipe(stage, options.scene, options.look);
+  const bool keep_alpha = keeps_alpha(stage, options);
+  Sequence sequence(maker, outcome, [&](const Picture& picture, const CapturedFrame& frame) {
+    return write_picture(picture, frame, recipe.hash(frame.frame), keep_alpha);
+  });
+  Progress progress("rendering", frames.size(), options.progress);
+  for (const int number : frames) {
+    if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    CapturedFrame frame;
+    frame.frame = number;
+    frame.file = frame_file_name(options.output, number);
+    auto kept = options.resume ? kept_picture(frame, recipe.hash(number), options.look.size) : std::nullopt;
+    if (kept) {
+      sequence.finish();
+      outcome.add(std::move(*kept));
+    } else if (auto ok = sequence.add(frame); !ok) {
+      return pass_on(std::move(ok));
+    }
+    progress.advance();
+  }
+  sequence.finish();
+  if (auto ok = outcome.verdict(); !ok) return pass_on(std::move(ok));
+  return std::move(outcome.report);
+}
+
+/// A film is whole or not there: the first failure ends it.
+Result<CaptureReport> capture_film(FrameMaker& maker, const Stage& stage, const CaptureOptions& options,
+                                   const std::vector<int>& frames, Outcome& outcome) {
+  const PictureSize& size = options.look.size;
+  auto film = FilmWriter::create(options.output,
+                                 {size.width, size.height, stage.scene.fps, keeps_alpha(stage, options)});
+  if (!film) return pass_on(std::move(film));
+  Sequence sequence(maker, outcome, [&](const Picture& picture, CapturedFrame frame) -> Result<CapturedFrame> {
+    frame.sha256 = sha256(picture.rgba);
+    if (auto ok = film->add(picture); !ok) return pass_on(std::move(ok));
+    return frame;
+  });
+  Progress progress("filming", frames.size(), options.progress);
+  for (const int number : frames) {
+    if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    CapturedFrame frame;
+    frame.frame = number;
+    if (auto ok = sequence.add(frame); !ok) return pass_on(std::move(ok));
+    if (outcome.first_failure()) return tl::unexpected<Error>(*outcome.first_failure());
+    progress.advance();
+  }
+  sequence.finish();
+  if (auto ok = film->finish(); !ok) return pass_on(std::move(ok));
+  const auto bytes = read_file(options.output, std::size_t{1} << 40);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  outcome.report.film = options.output;
+  outcome.report.film_sha256 = sha256(*bytes);
+  outcome.report.problems.insert(outcome.report.problems.end(), film->notes().begin(), film->notes().end());
+  return std::move(outcome.report);
+}
 
 }  // namespace
 
@@ -89,63 +193,34 @@ Result<Shard> parse_shard(std::string_view text) {
   return failure(ErrorKind::usage, "--shard {}: expected I/N, such as 0/4 for the first of four parts", text);
 }
 
-Result<void> check_picture_name(const std::string& output, const SceneOptions& scene) {
-  const std::string ending = lower(std::filesystem::path(output).extension().string());
-  for (const char* film : {".mp4", ".webm", ".gif"})
-    if (ending == film)
-      return failure(ErrorKind::usage, "-o {}: films cannot be written yet; write x_####.png, a picture a frame", output);
+Result<void> check_output(const CaptureOptions& options) {
+  if (is_film(options.output)) {
+    if (options.resume || options.shard.count > 1)
+      return failure(ErrorKind::usage, "-o {}: a film is written whole; --resume and --shard go with pictures", options.output);
+    return check_film_name(options.output);
+  }
+  const std::string ending = lower(std::filesystem::path(options.output).extension().string());
   std::error_code error;
-  if (ending != ".png" && !std::filesystem::is_character_file(output, error))
-    return failure(ErrorKind::usage, "-o {}: expected a name that ends in .png", output);
-  if (scene.frames && scene.frames->size() > 1 && !has_frame_pattern(output))
-    return failure(ErrorKind::usage, "-o {}: {} frames need a name with ####, such as frame_####.png", output,
-                   scene.frames->size());
+  if (ending != ".png" && !std::filesystem::is_character_file(options.output, error))
+    return failure(ErrorKind::usage, "-o {}: expected a name that ends in .png, .mp4, .webm or .gif", options.output);
+  const auto& frames = options.scene.frames;
+  if (frames && frames->size() > 1 && !has_frame_pattern(options.output))
+    return failure(ErrorKind::usage, "-o {}: {} frames need a name with ####, such as frame_####.png", options.output,
+                   frames->size());
   return {};
 }
 
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options) {
-  const bool pattern = has_frame_pattern(options.output);
-  const std::vector<int> frames = shard_of(selected_frames(stage, options.scene, !pattern), options.shard);
+  const bool film = is_film(options.output);
+  const bool one_picture = !film && !has_frame_pattern(options.output);
+  const std::vector<int> frames = shard_of(selected_frames(stage, options.scene, one_picture), options.shard);
   if (frames.empty()) return CaptureReport{};
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
   Outcome outcome;
   auto maker = FrameMaker::create(device, stage, options.scene, options.look, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));
-
-  const Recipe recipe(stage, options.scene, options.look);
-  const bool keep_alpha = options.look.background.value_or(stage.scene.look.background).alpha == 0;
-  Progress progress("rendering", frames.size(), options.progress);
-  std::future<Result<CapturedFrame>> writing;
-  const auto finish_writing = [&] {
-    if (writing.valid()) outcome.add(writing.get());
-  };
-  for (const int frame : frames) {
-    if (auto ok = check_interrupt(); !ok) {
-      finish_writing();
-      return pass_on(std::move(ok));
-    }
-    const Clock::time_point begun = Clock::now();
-    CapturedFrame captured;
-    captured.frame = frame;
-    captured.file = frame_file_name(options.output, frame);
-    const std::string hash = recipe.hash(frame);
-    if (auto kept = options.resume ? kept_picture(captured, hash, options.look.size) : std::nullopt) {
-      finish_writing();
-      outcome.add(std::move(*kept));
-      progress.advance();
-      continue;
-    }
-    auto picture = maker->picture(frame);
-    finish_writing();
-    if (!picture) return pass_on(std::move(picture));
-    writing = std::async(std::launch::async, [=, picture = std::move(*picture)] {
-      return write_picture(picture, captured, hash, keep_alpha, begun);
-    });
-    progress.advance();
-  }
-  finish_writing();
-  if (auto ok = outcome.verdict(); !ok) return pass_on(std::move(ok));
-  return std::move(outcome.report);
+  return film ? capture_film(*maker, stage, options, frames, outcome)
+              : capture_pictures(*maker, stage, options, frames, outcome);
 }
 
 }  // namespace sinew

@@ -17,7 +17,7 @@ Result<Shard> parse_shard(std::string_view text);
 struct CaptureOptions {
   SceneOptions scene;
   LookOptions look;
-  std::string output;   ///< `x.png`, or `x_####.png` for several frames
+  std::string output;   ///< `x.png`, `x_####.png` for several frames, or a film: .mp4, .webm, .gif
   Shard shard;
   bool resume = false;  ///< keep a frame whose file is whole, has the right size and was made by the same recipe
   ProgressStyle progress = ProgressStyle::automatic;
@@ -26,23 +26,24 @@ struct CaptureOptions {
 struct CapturedFrame {
   int frame = 0;
   std::string file;
-  std::string sha256;    ///< of the file
+  std::string sha256;    ///< of the file; in a film, of the frame's pixels
   double ms = 0.0;       ///< from the pose to the file on the disk
   bool skipped = false;  ///< kept from an earlier run
 };
 
 struct CaptureReport {
   std::vector<CapturedFrame> frames;
+  std::string film, film_sha256;  ///< the film's file and the hash of its bytes; empty for pictures
   std::vector<std::string> problems;
 };
 
-/// What a file name asks for, checked without opening anything. Fails as usage: unknown ending, or several frames into a
-/// name without a run of '#'.
-Result<void> check_picture_name(const std::string& output, const SceneOptions& scene);
+/// What the options ask for, checked without opening anything. Fails as usage: unknown ending, several frames into a
+/// picture's name without a run of '#', or parts of a film; as cannot_write where a film's encoder is missing.
+Result<void> check_output(const CaptureOptions& options);
 
-/// Renders the selected frames. Drawing a frame overlaps with encoding the one before. Fails as cannot_write where no
-/// frame could be written, as frames_failed where only some could, and as interrupted or terminated with every written
-/// frame whole.
+/// Renders the selected frames into pictures or a film. Drawing a frame overlaps with encoding the one before. Fails as
+/// cannot_write where nothing could be written, as frames_failed where only some pictures could, and as interrupted or
+/// terminated with every written picture whole and no film.
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options);
 
 }  // namespace sinew

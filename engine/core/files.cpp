@@ -49,11 +49,6 @@ bool write_all(int descriptor, std::span<const unsigned char> data) {
   return true;
 }
 
-fs::path temporary_beside(const fs::path& file) {
-  static std::atomic<unsigned> counter{0};
-  return file.parent_path() / fmt::format(".{}.{}-{}.part", file.filename().string(), ::getpid(), counter++);
-}
-
 Result<void> write_device(const fs::path& file, std::span<const unsigned char> data) {
   Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
   if (!out.open() || !write_all(out.number(), data) || !out.close())
@@ -62,6 +57,17 @@ Result<void> write_device(const fs::path& file, std::span<const unsigned char> d
 }
 
 }  // namespace
+
+fs::path temporary_beside(const fs::path& file) {
+  static std::atomic<unsigned> counter{0};
+  std::error_code error;
+  fs::path path;
+  // A killed program may have left a temporary, and its process number may come again.
+  do {
+    path = file.parent_path() / fmt::format(".{}.{}-{}.part", file.filename().string(), ::getpid(), counter++);
+  } while (fs::exists(path, error));
+  return path;
+}
 
 Result<Bytes> read_file(const fs::path& file, std::size_t limit) {
   std::error_code error;

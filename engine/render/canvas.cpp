@@ -156,7 +156,8 @@ void Canvas::stamp(const Mask& mask, const Colour& colour) {
 
 std::optional<double> Canvas::brightness(const Rect& box) const {
   if (!(std::isfinite(box.low.x + box.low.y) && std::isfinite(box.high.x + box.high.y))) return {};
-  const Rect inside{glm::max(box.low, Vec2(0.0)), glm::min(box.high, Vec2(width(), height()))};
+  const Vec2 corner(width(), height());
+  const Rect inside{glm::clamp(box.low, Vec2(0.0), corner), glm::clamp(box.high, Vec2(0.0), corner)};
   std::int64_t sum = 0, pixels = 0;
   for (int y = int(std::floor(inside.low.y)); y < inside.high.y; ++y) {
     for (int x = int(std::floor(inside.low.x)); x < inside.high.x; ++x) {

@@ -33,7 +33,7 @@ enum class Cap { butt, round };
 
 /// How a line is drawn. Dashes of `dash` pixels alternate with gaps of `gap` pixels; 0: an unbroken line.
 struct Stroke {
-  Colour colour;
+  Colour colour{};
   double width = 1.5;
   Cap cap = Cap::butt;
   double dash = 0.0, gap = 0.0;

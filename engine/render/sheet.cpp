@@ -35,7 +35,7 @@ void label_inside(Canvas& canvas, const Font& font, const std::string& label, co
   style.size = size;
   style.align_y = AlignY::bottom;
   const double padding = std::round(0.32 * size), off = std::round(0.6 * size);
-  style.backing = TextBacking{.colour = {255, 255, 255, 222}, .border = {}, .padding = padding, .radius = 0.35 * size};
+  style.backing = TextBacking{.colour = {255, 255, 255, 222}, .padding = padding, .radius = 0.35 * size};
   const double room = panel.size().x - 2.0 * (off + padding);
   if (room < size) return;
   draw_text(canvas, font, fitted(font, label, size, room),

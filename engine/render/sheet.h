@@ -12,7 +12,7 @@ namespace sinew {
 /// A labelled picture of a sheet; the picture must outlive the call.
 struct Panel {
   const Picture* picture = nullptr;
-  std::string label;  ///< may be empty
+  std::string label{};  ///< may be empty
 };
 
 enum class LabelPlace { under, inside };  ///< both at the panel's lower left
@@ -37,7 +37,7 @@ enum class Corner { upper_right, lower_right };
 struct InsetOptions {
   Corner corner = Corner::upper_right;
   int margin = 0;  ///< pixels to the picture's edges; 0: by its height
-  std::string label;
+  std::string label{};
   Colour border{26, 34, 43};
 };
 

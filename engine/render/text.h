@@ -58,7 +58,7 @@ enum class AlignY { top, middle, baseline, bottom };
 /// A panel behind a text.
 struct TextBacking {
   Colour colour{255, 255, 255, 215};
-  std::optional<Colour> border;
+  std::optional<Colour> border{};
   double padding = 4.0;
   double radius = 4.0;
 };
@@ -68,9 +68,9 @@ struct TextStyle {
   Colour colour{26, 34, 43};
   AlignX align_x = AlignX::left;
   AlignY align_y = AlignY::baseline;  ///< top and bottom by the font's ascent and descent, middle by its capitals
-  std::optional<Colour> halo;
+  std::optional<Colour> halo{};
   double halo_width = 1.5;
-  std::optional<TextBacking> backing;
+  std::optional<TextBacking> backing{};
 };
 
 /// Where a text's ink goes, in whole pixels: letters, halo and backing. Aligned by advance and line height, so that

@@ -53,6 +53,30 @@ TEST(Canvas, PixelsOfAHorizontalLineAreTheClosedForm) {
   }
 }
 
+TEST(Canvas, EveryPixelOfATriangleHasItsArea) {
+  const Contour corners{{2.3, 3.1}, {27.9, 8.4}, {11.2, 18.7}};
+  Picture picture = transparent(30, 22);
+  Canvas(picture).polygon(corners, black);
+  const auto inside = [&](const Vec2& p) {
+    bool all = true;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 edge = corners[(i + 1) % 3] - corners[i], to = p - corners[i];
+      all = all && edge.x * to.y - edge.y * to.x > 0.0;
+    }
+    return all;
+  };
+  constexpr int samples = 64;
+  for (int y = 0; y < 22; ++y) {
+    for (int x = 0; x < 30; ++x) {
+      int hits = 0;
+      for (int i = 0; i < samples * samples; ++i)
+        if (inside(Vec2(x, y) + (Vec2(i % samples, i / samples) + 0.5) / double(samples))) ++hits;
+      // An edge may pass through all samples of a row or column.
+      ASSERT_NEAR(alpha(picture, x, y), double(hits) / (samples * samples), 1.5 / samples) << x << " " << y;
+    }
+  }
+}
+
 TEST(Canvas, ALineHasTheSameInkInEveryDirection) {
   for (const Cap cap : {Cap::butt, Cap::round}) {
     const double expected = 60.0 * 1.5 + (cap == Cap::round ? std::numbers::pi * 0.75 * 0.75 : 0.0);
