@@ -8,7 +8,8 @@ struct Words {
   CommonOptions common;
   SceneWords scene;
   LookWords look;
-  std::string output, shard;
+  std::string output, shard, overlay, compare, zoom, sheet;
+  int turntable = 0;
   bool resume = false;
 };
 
@@ -34,6 +35,28 @@ Result<LookOptions> look_options(const LookWords& words) {
   return look;
 }
 
+Result<FigureOptions> figure_options(const Words& words) {
+  FigureOptions figure;
+  if (!words.overlay.empty()) {
+    auto overlay = parse_overlay(words.overlay);
+    if (!overlay) return pass_on(std::move(overlay));
+    figure.overlay = *overlay;
+  }
+  if (!words.sheet.empty()) {
+    auto grid = parse_grid(words.sheet);
+    if (!grid) return pass_on(std::move(grid));
+    figure.sheet = *grid;
+  }
+  if (words.turntable < 0 || words.turntable > 100'000)
+    return failure(ErrorKind::usage, "--turntable {}: expected 0 to 100,000 pictures", words.turntable);
+  if (words.turntable > 0 && figure.sheet)
+    return failure(ErrorKind::usage, "--turntable and --sheet: give one of them");
+  figure.turntable = words.turntable;
+  figure.compare = words.compare;
+  figure.zoom = words.zoom;
+  return figure;
+}
+
 Result<CaptureOptions> capture_options(const Words& words) {
   CaptureOptions options;
   auto scene = scene_options(words.scene);
@@ -42,6 +65,9 @@ Result<CaptureOptions> capture_options(const Words& words) {
   auto look = look_options(words.look);
   if (!look) return pass_on(std::move(look));
   options.look = *look;
+  auto figure = figure_options(words);
+  if (!figure) return pass_on(std::move(figure));
+  options.figure = *figure;
   auto progress = progress_style(words.common);
   if (!progress) return pass_on(std::move(progress));
   options.progress = *progress;
@@ -100,6 +126,11 @@ void add_render(CLI::App& program, Run& run) {
   add_scene_options(*command, words->scene);
   command->add_option("-o,--output", words->output, "x.png, x_####.png for several frames, or a film: x.mp4, x.webm, x.gif")->required();
   add_look_options(*command, words->look);
+  command->add_option("--overlay", words->overlay, "Drawn over the picture: skeleton, muscles, box, axes, by commas");
+  command->add_option("--compare", words->compare, "Panels side by side: bulge, deformer, or another scene or model");
+  command->add_option("--zoom", words->zoom, "An inset near this joint");
+  command->add_option("--sheet", words->sheet, "COLUMNSxROWS: that many of the frames in one picture");
+  command->add_option("--turntable", words->turntable, "So many pictures round the first selected frame");
   command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");
   command->add_flag("--resume", words->resume, "Keep frames that an earlier run of the same recipe wrote whole");
   add_common_options(*command, words->common, true);

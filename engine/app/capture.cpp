@@ -90,16 +90,19 @@ class Outcome {
 /// What is done with a finished picture, on a thread of its own, one picture after another.
 using Write = std::function<Result<CapturedFrame>(const Picture&, CapturedFrame)>;
 
+/// Draws the picture of a number.
+using Draw = std::function<Result<Picture>(int)>;
+
 /// Draws frames while the one before is written.
 class Sequence {
  public:
-  Sequence(FrameMaker& maker, Outcome& outcome, Write write)
-      : maker_(maker), outcome_(outcome), write_(std::move(write)) {}
+  Sequence(Draw draw, Outcome& outcome, Write write)
+      : draw_(std::move(draw)), outcome_(outcome), write_(std::move(write)) {}
   ~Sequence() { finish(); }
 
   Result<void> add(CapturedFrame frame) {
     const Clock::time_point begun = Clock::now();
-    auto picture = maker_.picture(frame.frame);
+    auto picture = draw_(frame.frame);
     finish();
     if (!picture) return pass_on(std::move(picture));
     writing_ = std::async(std::launch::async, [this, frame = std::move(frame), picture = std::move(*picture), begun] {
@@ -116,17 +119,17 @@ class Sequence {
   }
 
  private:
-  FrameMaker& maker_;
+  Draw draw_;
   Outcome& outcome_;
   Write write_;
   std::future<Result<CapturedFrame>> writing_;
 };
 
-Result<CaptureReport> capture_pictures(FrameMaker& maker, const Stage& stage, const CaptureOptions& options,
+Result<CaptureReport> capture_pictures(const Draw& draw, const Stage& stage, const CaptureOptions& options,
                                        const std::vector<int>& frames, Outcome& outcome) {
-  const Recipe recipe(stage, options.scene, options.look);
+  const Recipe recipe(stage, options.scene, options.look, options.figure);
   const bool keep_alpha = keeps_alpha(stage, options);
-  Sequence sequence(maker, outcome, [&](const Picture& picture, const CapturedFrame& frame) {
+  Sequence sequence(draw, outcome, [&](const Picture& picture, const CapturedFrame& frame) {
     return write_picture(picture, frame, recipe.hash(frame.frame), keep_alpha);
   });
   Progress progress("rendering", frames.size(), options.progress);
@@ -150,13 +153,13 @@ Result<CaptureReport> capture_pictures(FrameMaker& maker, const Stage& stage, co
 }
 
 /// A film is whole or not there: the first failure ends it.
-Result<CaptureReport> capture_film(FrameMaker& maker, const Stage& stage, const CaptureOptions& options,
+Result<CaptureReport> capture_film(const Draw& draw, const Stage& stage, const CaptureOptions& options,
                                    const std::vector<int>& frames, Outcome& outcome) {
   const PictureSize& size = options.look.size;
   auto film = FilmWriter::create(options.output,
                                  {size.width, size.height, stage.scene.fps, keeps_alpha(stage, options)});
   if (!film) return pass_on(std::move(film));
-  Sequence sequence(maker, outcome, [&](const Picture& picture, CapturedFrame frame) -> Result<CapturedFrame> {
+  Sequence sequence(draw, outcome, [&](const Picture& picture, CapturedFrame frame) -> Result<CapturedFrame> {
     frame.sha256 = sha256(picture.rgba);
     if (auto ok = film->add(picture); !ok) return pass_on(std::move(ok));
     return frame;
@@ -203,24 +206,28 @@ Result<void> check_output(const CaptureOptions& options) {
   std::error_code error;
   if (ending != ".png" && !std::filesystem::is_character_file(options.output, error))
     return failure(ErrorKind::usage, "-o {}: expected a name that ends in .png, .mp4, .webm or .gif", options.output);
-  const auto& frames = options.scene.frames;
-  if (frames && frames->size() > 1 && !has_frame_pattern(options.output))
+  if (options.figure.sheet || has_frame_pattern(options.output)) return {};
+  const std::size_t frames = options.figure.turntable > 0 ? static_cast<std::size_t>(options.figure.turntable)
+                             : options.scene.frames       ? options.scene.frames->size()
+                                                          : 1;
+  if (frames > 1)
     return failure(ErrorKind::usage, "-o {}: {} frames need a name with ####, such as frame_####.png", options.output,
-                   frames->size());
+                   frames);
   return {};
 }
 
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options) {
   const bool film = is_film(options.output);
-  const bool one_picture = !film && !has_frame_pattern(options.output);
-  const std::vector<int> frames = shard_of(selected_frames(stage, options.scene, one_picture), options.shard);
-  if (frames.empty()) return CaptureReport{};
+  const bool whole_range = film || has_frame_pattern(options.output) || options.figure.sheet;
+  const std::vector<int> frames = selected_frames(stage, options.scene, !whole_range);
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
   Outcome outcome;
-  auto maker = FrameMaker::create(device, stage, options.scene, options.look, outcome.report.problems);
+  auto maker = FigureMaker::create(device, stage, options.scene, options.look, options.figure, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));
-  return film ? capture_film(*maker, stage, options, frames, outcome)
-              : capture_pictures(*maker, stage, options, frames, outcome);
+  const std::vector<int> numbers = shard_of(maker->numbers(frames), options.shard);
+  const Draw draw = [&](int number) { return maker->picture(number, frames); };
+  return film ? capture_film(draw, stage, options, numbers, outcome)
+              : capture_pictures(draw, stage, options, numbers, outcome);
 }
 
 }  // namespace sinew

@@ -1,7 +1,7 @@
 #pragma once
 /// Pictures without a window: a sequence of frames to files.
 
-#include "engine/app/frame.h"
+#include "engine/app/figure.h"
 #include "engine/core/progress.h"
 
 namespace sinew {
@@ -17,6 +17,7 @@ Result<Shard> parse_shard(std::string_view text);
 struct CaptureOptions {
   SceneOptions scene;
   LookOptions look;
+  FigureOptions figure;
   std::string output;   ///< `x.png`, `x_####.png` for several frames, or a film: .mp4, .webm, .gif
   Shard shard;
   bool resume = false;  ///< keep a frame whose file is whole, has the right size and was made by the same recipe

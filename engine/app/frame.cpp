@@ -43,9 +43,11 @@ Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const 
   return FrameMaker(std::move(*renderer), stage, look, stage_bounds(stage));
 }
 
-Result<Picture> FrameMaker::picture(int frame) {
+Result<Picture> FrameMaker::picture(int frame) { return picture(frame, shot(frame)); }
+
+Result<Picture> FrameMaker::picture(int frame, const Shot& shot) {
   upload(pose(frame));
-  return renderer_.draw(shot(frame));
+  return renderer_.draw(shot);
 }
 
 std::vector<CharacterState> FrameMaker::pose(int frame) const {
@@ -59,7 +61,7 @@ void FrameMaker::upload(const std::vector<CharacterState>& states) {
     renderer_.deformer(i).set_state({states[i].palette, states[i].morph_weights, states[i].activations});
 }
 
-Viewpoint FrameMaker::viewpoint(int frame) const {
+Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
   // A view that was asked for on the command line stands in place of all that the scene says about its camera.
   Camera camera = stage_->scene.camera;
   if (look_.view) {
@@ -67,7 +69,7 @@ Viewpoint FrameMaker::viewpoint(int frame) const {
     camera.view = *look_.view;
   }
   ViewDirection towards = direction(camera.view);
-  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame));
+  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame)) + orbit;
   const Viewpoint framed = frame_box(bounds_, towards, double(look_.size.width) / look_.size.height);
   if (!camera.target && !camera.distance) return framed;
   const Vec3 target = camera.target ? camera.target->value_at(frame) : bounds_.centre();
@@ -76,9 +78,9 @@ Viewpoint FrameMaker::viewpoint(int frame) const {
   return look_at(target, distance, bounds_, towards);
 }
 
-Shot FrameMaker::shot(int frame) const {
+Shot FrameMaker::shot(int frame, double orbit) const {
   Shot shot;
-  shot.viewpoint = viewpoint(frame);
+  shot.viewpoint = viewpoint(frame, orbit);
   shot.shading = look_.shading.value_or(stage_->scene.look.shading);
   shot.background = background_words(look_.background.value_or(stage_->scene.look.background));
   shot.largest_bulge = largest_bulge(*stage_);

@@ -25,15 +25,18 @@ class FrameMaker {
 
   /// The picture at a frame: a function of the stage and the number alone.
   Result<Picture> picture(int frame);
+  /// The same seen otherwise.
+  Result<Picture> picture(int frame, const Shot& shot);
 
-  /// The steps of picture(), for benchmarks.
+  /// The steps of picture().
   std::vector<CharacterState> pose(int frame) const;
   void upload(const std::vector<CharacterState>& states);
-  Shot shot(int frame) const;
+  /// `orbit`: degrees added to the camera's.
+  Shot shot(int frame, double orbit = 0.0) const;
   Renderer& renderer() { return renderer_; }
 
  private:
-  Viewpoint viewpoint(int frame) const;
+  Viewpoint viewpoint(int frame, double orbit) const;
   FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds);
 
   Renderer renderer_;

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "engine/app/frame.h"
+#include "engine/app/figure.h"
 
 namespace sinew {
 
@@ -9,7 +9,7 @@ namespace sinew {
 /// where it is written, in which part of a sequence, on which device or when.
 class Recipe {
  public:
-  Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions& look);
+  Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions& look, const FigureOptions& figure);
 
   /// SHA-256, 64 hexadecimal digits.
   std::string hash(int frame) const;

@@ -58,6 +58,10 @@ std::size_t Stage::triangles() const {
   return sum;
 }
 
+Mat4 character_placement(const Stage& stage, std::size_t character, double frame) {
+  return placement(stage.characters[character].scene, frame);
+}
+
 Pose character_pose(const Stage& stage, std::size_t index, double frame) {
   const StagedCharacter& character = stage.characters[index];
   Pose pose = rest_pose(*character.model);

@@ -61,6 +61,9 @@ Result<Stage> open_stage(const SceneOptions& options);
 /// Where a character's joints and muscles stand at a frame.
 CharacterState character_state(const Stage& stage, std::size_t character, double frame);
 
+/// From model to world: the character's turn, then its position.
+Mat4 character_placement(const Stage& stage, std::size_t character, double frame);
+
 /// The pose alone, before forward kinematics.
 Pose character_pose(const Stage& stage, std::size_t character, double frame);
 

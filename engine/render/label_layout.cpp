@@ -10,6 +10,23 @@ constexpr int directions = 16;
 /// Room between two labels, and between a label and the picture's edge.
 constexpr double gap = 2.0, edge = 4.0;
 
+/// A place to try: a distance from the list, and a turn in radians from the best direction.
+struct Candidate {
+  double distance = 0.0, turn = 0.0;
+
+  /// Half a turn is as bad as three labels' heights.
+  double cost() const { return distance + 3.0 * std::abs(turn) / std::numbers::pi; }
+};
+
+std::vector<Candidate> candidates() {
+  std::vector<Candidate> all;
+  for (const double distance : distances)
+    for (int i = 0; i < directions; ++i)
+      all.push_back({distance, (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2) * 2.0 * std::numbers::pi / directions});
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
+  return all;
+}
+
 /// The box of this size whose border is `distance` from the anchor in this direction.
 Rect box_towards(const LabelRequest& request, const Vec2& direction, double distance) {
   const Vec2 half = 0.5 * request.size;
@@ -63,25 +80,23 @@ bool LabelLayout::is_free(const PlacedLabel& label, bool over_lines) const {
 std::optional<PlacedLabel> LabelLayout::place(const LabelRequest& request) {
   const double length = glm::length(request.away);
   const Vec2 best = length > 1e-9 ? request.away / length : Vec2(1.0, 0.0);
+  static const std::vector<Candidate> all = candidates();
   for (const bool over_lines : {false, true}) {
     if (over_lines && !request.may_cover) break;
-    for (const double far : distances) {
-      for (int i = 0; i < directions; ++i) {
-        // 0, 1, -1, 2, -2 ... steps from the best direction
-        const double turn = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2) * 2.0 * std::numbers::pi / directions;
-        const Vec2 direction(best.x * std::cos(turn) - best.y * std::sin(turn),
-                             best.x * std::sin(turn) + best.y * std::cos(turn));
-        PlacedLabel label{box_towards(request, direction, request.clearance + far * request.size.y), far > 0.7, {}, {}};
-        if (label.leader) {
-          label.leader_to = glm::clamp(request.anchor, label.box.low, label.box.high);
-          const Vec2 along = label.leader_to - request.anchor;
-          label.leader_from = request.anchor + std::min(request.dot / glm::length(along), 1.0) * along;
-        }
-        if (!is_free(label, over_lines)) continue;
-        labels_.push_back(label.box);
-        if (label.leader) leaders_.push_back({label.leader_from, label.leader_to});
-        return label;
+    for (const Candidate& candidate : all) {
+      const double cosine = std::cos(candidate.turn), sine = std::sin(candidate.turn);
+      const Vec2 direction(best.x * cosine - best.y * sine, best.x * sine + best.y * cosine);
+      const double distance = request.clearance + candidate.distance * request.size.y;
+      PlacedLabel label{box_towards(request, direction, distance), candidate.distance > 0.7, {}, {}};
+      if (label.leader) {
+        label.leader_to = glm::clamp(request.anchor, label.box.low, label.box.high);
+        const Vec2 along = label.leader_to - request.anchor;
+        label.leader_from = request.anchor + std::min(request.dot / glm::length(along), 1.0) * along;
       }
+      if (!is_free(label, over_lines)) continue;
+      labels_.push_back(label.box);
+      if (label.leader) leaders_.push_back({label.leader_from, label.leader_to});
+      return label;
     }
   }
   return {};
