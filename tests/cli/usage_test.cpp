@@ -52,7 +52,7 @@ struct Wrong {
 // Each names files that do not exist: were one opened first, the exit code would be 3.
 const std::vector<Wrong> wrong_uses{
     {{}, "subcommand"},
-    {{"rendre", "absent.json", "-o", "x.png"}, "subcommand"},
+    {{"rendre", "absent.json", "-o", "x.png"}, "rendre"},
     {{"render", "absent.json"}, "--output"},
     {{"render", "absent.json", "-o", "x.png", "--sise", "64x64"}, "--sise"},
     {{"render", "absent.json", "-o", "x.png", "more.json"}, "more.json"},
