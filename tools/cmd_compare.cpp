@@ -46,6 +46,8 @@ Result<void> check_words(const Words& words) {
     return failure(ErrorKind::usage, "--tolerance {}: expected 0 to 255", words.tolerance);
   if (!(words.pixels >= 0.0 && words.pixels <= 1.0))
     return failure(ErrorKind::usage, "--pixels {}: expected a share from 0 to 1", words.pixels);
+  if (!words.diff.empty() && !words.diff.ends_with(".png"))
+    return failure(ErrorKind::usage, "--diff {}: expected a name that ends in .png", words.diff);
   if (!(words.threshold >= 0.0))
     return failure(ErrorKind::usage, "--threshold {}: expected a number of 0 or more", words.threshold);
   return {};
@@ -103,7 +105,7 @@ void add_compare(CLI::App& program, Run& run) {
   command->add_option("--metric", words->metric, "How to compare: pixels, or ssim")->capture_default_str();
   command->add_option("--threshold", words->threshold, "Of 1 - SSIM: at most this may it be")->capture_default_str();
   command->add_option("--diff", words->diff, "Write the difference, eight times amplified, to this .png");
-  add_common_options(*command, words->common, false);
+  add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return compare(*words); }; });
 }
 

@@ -163,7 +163,8 @@ void add_info(CLI::App& program, Run& run) {
   command->add_flag("--devices", words->devices, "List the Vulkan devices");
   command->add_option("--pose", words->poses, "JOINT=x,y,z: also report the muscles' angles in this pose")
       ->allow_extra_args(false);
-  add_common_options(*command, words->common, false);
+  for (const char* later : {"--girth", "--at"}) add_later_option(*command, later);
+  add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return info(*words); }; });
 }
 

@@ -70,7 +70,7 @@ void add_parity(CLI::App& program, Run& run) {
   command->add_option("--tolerance", words->tolerance, "Of the position error, as a share of the box's diagonal")
       ->capture_default_str();
   command->add_option("--normal-tolerance", words->normal_tolerance, "Of the normals, degrees")->capture_default_str();
-  add_common_options(*command, words->common, true);
+  add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return parity(*words); }; });
 }
 

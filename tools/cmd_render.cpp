@@ -1,3 +1,7 @@
+#include <cmath>
+
+#include <spdlog/spdlog.h>
+
 #include "engine/app/capture.h"
 #include "tools/command.h"
 
@@ -21,6 +25,8 @@ Result<LookOptions> look_options(const LookWords& words) {
   if (words.samples != 1 && words.samples != 4)
     return failure(ErrorKind::usage, "--samples {}: expected 1 or 4", words.samples);
   look.samples = words.samples;
+  if (words.orbit && !std::isfinite(*words.orbit))
+    return failure(ErrorKind::usage, "--orbit {}: expected a number of degrees", *words.orbit);
   look.orbit = words.orbit;
   const auto optional = [](const std::string& text, auto parse, auto& to) -> Result<void> {
     if (text.empty()) return {};
@@ -102,6 +108,17 @@ nlohmann::ordered_json report_json(const CaptureReport& report, const Device& de
   return json;
 }
 
+void log_outcome(const CaptureReport& report) {
+  const std::size_t count = report.frames.size();
+  if (!report.film.empty()) {
+    spdlog::info("{}: {} frames", report.film, count);
+  } else if (count == 1) {
+    spdlog::info("{} written", report.frames.front().file);
+  } else if (count > 1) {
+    spdlog::info("{} pictures: {} to {}", count, report.frames.front().file, report.frames.back().file);
+  }
+}
+
 Result<void> render(const Words& words) {
   apply_verbosity(words.common);
   auto options = capture_options(words);
@@ -113,6 +130,7 @@ Result<void> render(const Words& words) {
   auto report = capture(device, stage, *options);
   if (!report) return pass_on(std::move(report));
   log_problems(report->problems);
+  log_outcome(*report);
   if (words.common.json) print_json(report_json(*report, device, stage, *options));
   return check_validation(device);
 }
@@ -133,7 +151,8 @@ void add_render(CLI::App& program, Run& run) {
   command->add_option("--turntable", words->turntable, "So many pictures round the first selected frame");
   command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");
   command->add_flag("--resume", words->resume, "Keep frames that an earlier run of the same recipe wrote whole");
-  add_common_options(*command, words->common, true);
+  add_later_option(*command, "--joint");
+  add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return render(*words); }; });
 }
 

@@ -10,15 +10,19 @@
 
 namespace sinew::tools {
 
-void add_common_options(CLI::App& command, CommonOptions& options, bool uses_device) {
+void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--json", options.json, "Print one JSON object on stdout");
   command.add_flag("--quiet", options.quiet, "Log errors only");
   command.add_flag("--verbose", options.verbose, "Log more");
   command.add_option("--progress", options.progress, "Progress on stderr: auto, bar, plain or none")->capture_default_str();
-  if (!uses_device) return;
   command.add_option("--device", options.device, "Vulkan device: its index, or a part of its name")
       ->envname("SINEW_DEVICE");
   command.add_flag("--validate", options.validate, "Run with Vulkan's validation layer; any message is an error");
+}
+
+void add_later_option(CLI::App& command, const std::string& name) {
+  command.add_option(name)->group("")->each(
+      [name](const std::string&) { throw CLI::ValidationError(name + ": does not exist yet"); });
 }
 
 void add_scene_options(CLI::App& command, SceneWords& words) {
@@ -47,11 +51,15 @@ void add_look_options(CLI::App& command, LookWords& words) {
 
 Result<SceneOptions> scene_options(const SceneWords& words) {
   SceneOptions options;
-  options.scene = words.scene;
+  if (words.scene && words.scene->empty())
+    return failure(ErrorKind::usage, "the scene's name is empty; name a file, or leave it out for the embedded scene");
+  options.scene = words.scene.value_or("");
   const std::string& range = words.frame.empty() ? words.frames : words.frame;
   if (!range.empty()) {
     auto frames = parse_frame_range(range);
-    if (!frames) return pass_on(std::move(frames));
+    if (!frames)
+      return failure(ErrorKind::usage, "{} {}: {}", words.frame.empty() ? "--frames" : "--frame", range,
+                     frames.error().message);
     if (!words.frame.empty() && frames->size() != 1)
       return failure(ErrorKind::usage, "--frame {}: expected one frame; several go with --frames", words.frame);
     options.frames = std::move(*frames);
@@ -68,11 +76,9 @@ Result<SceneOptions> scene_options(const SceneWords& words) {
     options.poses.push_back(std::move(*pose));
   }
   if (!words.clip.empty()) options.clip = parse_clip(words.clip);
-  if (words.fps != 0.0) {
-    if (!(words.fps > 0.0 && words.fps <= 1000.0))
-      return failure(ErrorKind::usage, "--fps {}: expected a number above 0, up to 1000", words.fps);
-    options.fps = words.fps;
-  }
+  if (words.fps && !(*words.fps > 0.0 && *words.fps <= 1000.0))
+    return failure(ErrorKind::usage, "--fps {}: expected a number above 0, up to 1000", *words.fps);
+  options.fps = words.fps;
   if (!(words.strength >= 0.0 && words.strength <= 1.0))
     return failure(ErrorKind::usage, "--strength {}: expected a number from 0 to 1", words.strength);
   options.strength = words.strength;

@@ -16,7 +16,7 @@
 
 namespace sinew::tools {
 
-/// Options that every command has.
+/// Options that every command has; those of the device mean nothing to commands that need none.
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
@@ -28,11 +28,11 @@ struct CommonOptions {
 
 /// The words of the scene options, as typed.
 struct SceneWords {
-  std::string scene;
+  std::optional<std::string> scene;
   std::string frame, frames;
   std::string deformer = "ssd", bulge = "on", clip, library;
   std::vector<std::string> poses;
-  double fps = 0.0;
+  std::optional<double> fps;
   double strength = 1.0;
 };
 
@@ -46,10 +46,12 @@ struct LookWords {
 /// A command: its parser, filled in by its file, and what runs once the words are parsed.
 using Run = std::function<Result<void>()>;
 
-/// Gives `--json`, `--quiet`, `--verbose`, `--progress`, and where asked `--device` and `--validate`.
-void add_common_options(CLI::App& command, CommonOptions& options, bool uses_device);
+void add_common_options(CLI::App& command, CommonOptions& options);
 void add_scene_options(CLI::App& command, SceneWords& words);
 void add_look_options(CLI::App& command, LookWords& words);
+
+/// Takes an option of the manual that does not exist yet: whoever uses it is told so, as wrong usage.
+void add_later_option(CLI::App& command, const std::string& name);
 
 /// Each fails as usage, without having opened a file.
 Result<SceneOptions> scene_options(const SceneWords& words);

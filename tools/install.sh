@@ -11,9 +11,9 @@ install_packages() {
   if [ ${#missing[@]} -eq 0 ]; then return; fi
   local sudo=""
   if [ "$(id -u)" -ne 0 ]; then sudo="sudo"; fi
-  echo "installing: ${missing[*]}"
+  echo "installing (this may take some minutes): ${missing[*]}"
   $sudo apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
 }
 
 # A runtime folder that Vulkan's drivers look for, and a shader cache of this tree's own.

@@ -131,6 +131,7 @@ Result<BakeReport> bake(Device* device, const Stage& stage, const BakeOptions& o
   const bool pattern = has_frame_pattern(options.output);
   const std::vector<int> frames = selected_frames(stage, options.scene, !pattern);
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
+  if (auto ok = check_not_an_input(stage, options.output); !ok) return pass_on(std::move(ok));
   if (options.rig) return write_rig(stage, options);
   if (!pattern) {
     auto mesh = bake_frames(device, stage, options, frames);

@@ -125,9 +125,9 @@ class Sequence {
   std::future<Result<CapturedFrame>> writing_;
 };
 
-Result<CaptureReport> capture_pictures(const Draw& draw, const Stage& stage, const CaptureOptions& options,
+Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figure, const Stage& stage, const CaptureOptions& options,
                                        const std::vector<int>& frames, Outcome& outcome) {
-  const Recipe recipe(stage, options.scene, options.look, options.figure);
+  const Recipe recipe(stage, options.scene, options.look, figure);
   const bool keep_alpha = keeps_alpha(stage, options);
   Sequence sequence(draw, outcome, [&](const Picture& picture, const CapturedFrame& frame) {
     return write_picture(picture, frame, recipe.hash(frame.frame), keep_alpha);
@@ -221,13 +221,14 @@ Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureO
   const bool whole_range = film || has_frame_pattern(options.output) || options.figure.sheet;
   const std::vector<int> frames = selected_frames(stage, options.scene, !whole_range);
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
+  if (auto ok = check_not_an_input(stage, options.output); !ok) return pass_on(std::move(ok));
   Outcome outcome;
   auto maker = FigureMaker::create(device, stage, options.scene, options.look, options.figure, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));
   const std::vector<int> numbers = shard_of(maker->numbers(frames), options.shard);
   const Draw draw = [&](int number) { return maker->picture(number, frames); };
   return film ? capture_film(draw, stage, options, numbers, outcome)
-              : capture_pictures(draw, stage, options, numbers, outcome);
+              : capture_pictures(draw, maker->recipe(frames), stage, options, numbers, outcome);
 }
 
 }  // namespace sinew

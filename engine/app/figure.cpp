@@ -153,16 +153,6 @@ Result<Grid> parse_grid(std::string_view text) {
   return failure(ErrorKind::usage, "--sheet {}: expected COLUMNSxROWS, at most {} places", text, most_grid_places);
 }
 
-std::string FigureOptions::text() const {
-  nlohmann::ordered_json json;
-  json["overlay"] = {overlay.skeleton, overlay.muscles, overlay.box, overlay.axes};
-  json["compare"] = compare;
-  json["zoom"] = zoom;
-  if (sheet) json["sheet"] = {sheet->columns, sheet->rows};
-  json["turntable"] = turntable;
-  return json.dump();
-}
-
 FigureMaker::FigureMaker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 FigureMaker::FigureMaker(FigureMaker&&) noexcept = default;
 FigureMaker::~FigureMaker() = default;
@@ -210,6 +200,18 @@ std::vector<int> FigureMaker::numbers(const std::vector<int>& frames) const {
   std::vector<int> steps;
   for (int i = 0; i < impl_->figure.turntable; ++i) steps.push_back(i);
   return steps;
+}
+
+std::string FigureMaker::recipe(const std::vector<int>& frames) const {
+  const FigureOptions& figure = impl_->figure;
+  nlohmann::ordered_json json;
+  json["overlay"] = {figure.overlay.skeleton, figure.overlay.muscles, figure.overlay.box, figure.overlay.axes};
+  json["compare"] = impl_->other ? impl_->other->scene_hash : figure.compare;
+  json["labels"] = impl_->labels;
+  json["zoom"] = figure.zoom;
+  if (figure.sheet) json["sheet"] = {figure.sheet->columns, figure.sheet->rows, frames};
+  if (figure.turntable > 0) json["turntable"] = {figure.turntable, frames.front()};
+  return json.dump();
 }
 
 Result<Picture> FigureMaker::picture(int number, const std::vector<int>& frames) {

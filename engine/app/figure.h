@@ -37,9 +37,6 @@ struct FigureOptions {
   std::string zoom;           ///< joint that an inset shows near by; empty: none
   std::optional<Grid> sheet;  ///< evenly spaced frames of the selected ones, labelled
   int turntable = 0;          ///< so many pictures round the first selected frame; 0: none
-
-  /// As text, for the recipe: equal where the options are.
-  std::string text() const;
 };
 
 /// Makes the pictures of a figure. The size that was asked for is that of the whole, panels and gutters included. Device
@@ -55,6 +52,9 @@ class FigureMaker {
 
   /// The numbers of the pictures that the selected frames ask for: frames, turntable steps, or one sheet.
   std::vector<int> numbers(const std::vector<int>& frames) const;
+
+  /// What the pictures of these frames show beyond the scene and its look, as text for the recipe.
+  std::string recipe(const std::vector<int>& frames) const;
 
   /// The picture of one of those numbers.
   Result<Picture> picture(int number, const std::vector<int>& frames);

@@ -62,6 +62,34 @@ Result<OpenedScene> open_scene(const std::string& source) {
   return bare_model_scene(source);
 }
 
+/// Of the file and of all that it refers to: buffers and pictures may lie in files of their own.
+std::string content_hash(const Bytes& file, const Model& model) {
+  Sha256 hash;
+  hash.add(file);
+  for (const EncodedImage& image : model.images) hash.add(image.bytes);
+  for (const Skin& skin : model.skins) hash.add_all(skin.inverse_bind);
+  for (const Clip& clip : model.clips)
+    for (const Channel& channel : clip.channels) {
+      hash.add_all(channel.times);
+      hash.add_all(channel.values);
+    }
+  for (const Mesh& mesh : model.meshes)
+    for (const Primitive& primitive : mesh.primitives) {
+      hash.add_all(primitive.positions);
+      hash.add_all(primitive.normals);
+      hash.add_all(primitive.texture_coordinates);
+      hash.add_all(primitive.indices);
+      hash.add_all(primitive.influences.first);
+      for (const Influence& influence : primitive.influences.entries)
+        hash.add_all(std::vector<double>{double(influence.joint), influence.weight});
+      for (const MorphTarget& target : primitive.morph_targets) {
+        hash.add_all(target.positions);
+        hash.add_all(target.normals);
+      }
+    }
+  return hash.finish();
+}
+
 Result<void> load_model(StagedCharacter& character) {
   const std::string name = character.scene.model.string();
   if (is_built_in_model(name)) {
@@ -73,7 +101,7 @@ Result<void> load_model(StagedCharacter& character) {
   if (!model) return pass_on(std::move(model));
   auto bytes = read_file(character.scene.model);
   if (!bytes) return pass_on(std::move(bytes));
-  character.model_hash = sha256(*bytes);
+  character.model_hash = content_hash(*bytes, *model);
   character.model = std::make_unique<Model>(std::move(*model));
   return {};
 }
@@ -94,6 +122,7 @@ Result<int> find_clip(const Model& model, const ClipChoice& choice) {
   const std::string& name = std::get<std::string>(choice);
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return static_cast<int>(i);
+  if (names.empty()) return bad_input("{}: has no clip \"{}\"; it has none at all", model.file, name);
   return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names), names.size(),
                    fmt::join(names, ", "));
 }
@@ -178,6 +207,11 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, bo
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (auto ok = find_tracks(character, place); !ok) return ok;
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
+  if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
+  for (const PlacedMuscle& placed : character.muscles)
+    if (placed.region.vertices.empty())
+      found.push_back(fmt::format("muscle \"{}\": its region holds none of the segment's {} vertices; it moves nothing",
+                                  placed.muscle.name, placed.region.segment_vertices));
   for (const std::string& problem : found)
     problems.push_back(fmt::format("{}: {}", character.scene.model.string(), problem));
   return {};
@@ -197,12 +231,18 @@ void note_unsupported(const Character& character, std::vector<std::string>& prob
 /// From frame 0 to the last frame that a clip or a key has.
 FrameSpan natural_range(const Stage& stage) {
   double last = 0.0;
+  const auto reach = [&](const auto& keyed) { last = std::max(last, std::ceil(keyed.keys.back().frame)); };
+  const Camera& camera = stage.scene.camera;
+  reach(camera.orbit);
+  if (camera.target) reach(*camera.target);
+  if (camera.distance) reach(*camera.distance);
   for (const StagedCharacter& character : stage.characters) {
+    reach(character.scene.position);
+    reach(character.scene.turn);
     // A duration that is a whole number of frames up to rounding must not grow by one.
     if (character.clip >= 0)
       last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
-    for (const StagedCharacter::JointTrack& track : character.tracks)
-      last = std::max(last, std::ceil(track.degrees.keys.back().frame));
+    for (const StagedCharacter::JointTrack& track : character.tracks) reach(track.degrees);
   }
   return {0, static_cast<int>(std::clamp(last, 0.0, 1e7))};
 }
@@ -232,6 +272,7 @@ Result<Stage> open_stage(const SceneOptions& options) {
   Stage stage;
   stage.source = options.scene.empty() ? "the embedded scene" : options.scene;
   stage.scene = std::move(opened->scene);
+  if (stage.scene.library) stage.problems.push_back(fmt::format("{}: \"library\" is not used yet", stage.source));
   stage.is_scene = !opened->bare_model;
   stage.strength = options.strength;
   if (options.fps) stage.scene.fps = *options.fps;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> deformer_words{"rigid", "ssd"};
 constexpr std::array<std::string_view, 3> bulge_words{"off", "on", "paper"};
+/// Beyond so many degrees the number is a mistake, and turns lose their precision.
+constexpr double largest_angle = 1e6;
 /// Named in the manual, but not built yet.
 constexpr std::array<std::string_view, 2> later_deformers{"dqs", "cor"};
 
@@ -39,6 +41,7 @@ Result<PoseOption> parse_pose(std::string_view text) {
   for (int i = 0; i < 3; ++i) {
     const auto angle = parse_number(parts[i]);
     if (!angle) return wrong("an angle is no number");
+    if (std::abs(*angle) > largest_angle) return wrong("an angle is out of range");
     pose.degrees[i] = *angle;
   }
   return pose;

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-Recipe::Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions& look, const FigureOptions& figure) {
+Recipe::Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions& look, const std::string& figure) {
   nlohmann::ordered_json json;
   json["scene"] = stage.scene_hash;
   json["deformer"] = deformer_name(scene.deformer);
@@ -19,7 +19,7 @@ Recipe::Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions&
   if (look.orbit) json["orbit"] = *look.orbit;
   if (look.shading) json["shading"] = shading_names()[static_cast<std::size_t>(*look.shading)];
   if (look.background) json["background"] = colour_text(*look.background);
-  json["figure"] = figure.text();
+  json["figure"] = figure;
   json["version"] = version();
   text_ = json.dump();
 }

@@ -9,7 +9,8 @@ namespace sinew {
 /// where it is written, in which part of a sequence, on which device or when.
 class Recipe {
  public:
-  Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions& look, const FigureOptions& figure);
+  /// `figure`: FigureMaker::recipe().
+  Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions& look, const std::string& figure);
 
   /// SHA-256, 64 hexadecimal digits.
   std::string hash(int frame) const;

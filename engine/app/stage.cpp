@@ -116,6 +116,16 @@ Bounds stage_bounds(const Stage& stage) {
   return bounds;
 }
 
+Result<void> check_not_an_input(const Stage& stage, const std::string& output) {
+  std::vector<std::filesystem::path> inputs{stage.source};
+  for (const StagedCharacter& character : stage.characters) inputs.push_back(character.scene.model);
+  std::error_code error;
+  for (const std::filesystem::path& input : inputs)
+    if (std::filesystem::equivalent(input, output, error))
+      return failure(ErrorKind::cannot_write, "{}: is read by this very command; write to another file", output);
+  return {};
+}
+
 std::vector<int> selected_frames(const Stage& stage, const SceneOptions& options, bool one_picture) {
   if (options.frames) return *options.frames;
   std::vector<int> frames{stage.range.first};

@@ -16,7 +16,7 @@ namespace sinew {
 struct StagedCharacter {
   Character scene;  ///< what the scene says of it
   std::unique_ptr<Model> model;
-  std::string model_hash;  ///< SHA-256 of the file, or the name of a built-in model
+  std::string model_hash;  ///< SHA-256 of all that it was read from, or the name of a built-in model
   std::vector<int> order;  ///< hierarchy_order
   std::vector<Quat> rest_rotations;
   Humanoid humanoid;
@@ -77,6 +77,9 @@ Bounds rest_bounds(const Stage& stage);
 /// The box round the rest pose and the scene's whole range, plain SSD, world space. Ranges of over 256 frames are
 /// sampled at evenly spaced frames, both ends among them, and at the scene's keys.
 Bounds stage_bounds(const Stage& stage);
+
+/// Fails as cannot_write where `output` is one of the files that the stage was opened from.
+Result<void> check_not_an_input(const Stage& stage, const std::string& output);
 
 /// The frames that were asked for; else, for one picture, the first of the range; else the whole range.
 std::vector<int> selected_frames(const Stage& stage, const SceneOptions& options, bool one_picture);

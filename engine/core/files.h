@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -27,6 +28,28 @@ std::filesystem::path temporary_beside(const std::filesystem::path& file);
 /// Fails as cannot_write where `file` cannot be created: its folder is missing or not writable, or it is a folder itself.
 /// Leaves no trace. Meant to be asked before long work starts.
 Result<void> check_writable(const std::filesystem::path& file);
+
+/// SHA-256 of data that comes in pieces.
+class Sha256 {
+ public:
+  Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+  ~Sha256();
+
+  void add(std::span<const unsigned char> data);
+  /// The bytes of numbers, as they lie in memory.
+  template <class T>
+    requires std::is_trivially_copyable_v<T>
+  void add_all(const std::vector<T>& values) {
+    add({reinterpret_cast<const unsigned char*>(values.data()), values.size() * sizeof(T)});
+  }
+  /// 64 lower-case hexadecimal digits. To be called once, last.
+  std::string finish();
+
+ private:
+  void* context_;
+};
 
 /// SHA-256 of the bytes as 64 lower-case hexadecimal digits.
 std::string sha256(std::span<const unsigned char> data);

@@ -6,6 +6,7 @@
 namespace sinew {
 
 /// From now on the first SIGINT or SIGTERM is only noted; a second one ends the program at once.
+/// Writing beyond a file size limit or to a closed pipe fails like any other write.
 void catch_interrupts();
 
 /// Fails as interrupted or terminated once a signal has come.

@@ -169,7 +169,7 @@ void create_logical_device(VulkanDevice& vulkan) {
       vulkan.device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, vulkan.queue_family));
 }
 
-Result<std::vector<DeviceInfo>> describe_all(const vk::raii::PhysicalDevices& physical) {
+std::vector<DeviceInfo> describe_all(const vk::raii::PhysicalDevices& physical) {
   std::vector<DeviceInfo> devices;
   for (const auto& each : physical) devices.push_back(describe(each));
   return devices;
@@ -178,11 +178,6 @@ Result<std::vector<DeviceInfo>> describe_all(const vk::raii::PhysicalDevices& ph
 tl::unexpected<Error> no_vulkan(const vk::SystemError& error) {
   return failure(ErrorKind::no_device, "Vulkan cannot start ({}); is a driver installed? On Debian, mesa-vulkan-drivers "
                  "brings one that runs on the CPU.", error.what());
-}
-
-/// The devices of an instance; a loader without any driver reports that as an error, which here is an empty list.
-vk::raii::PhysicalDevices physical_devices(const VulkanDevice& vulkan) {
-  return vk::raii::PhysicalDevices(vulkan.instance);
 }
 
 }  // namespace
@@ -207,12 +202,12 @@ Result<Device> Device::create(const DeviceOptions& options) {
       return failure(ErrorKind::no_device, "--validate needs the layer {} (Debian: vulkan-validationlayers)",
                      validation_layer);
     create_instance(*vulkan, options.validate);
-    const vk::raii::PhysicalDevices physical = physical_devices(*vulkan);
+    const vk::raii::PhysicalDevices physical(vulkan->instance);
     const auto devices = describe_all(physical);
-    const auto chosen = choose(*devices, options.wanted);
+    const auto chosen = choose(devices, options.wanted);
     if (!chosen) return tl::unexpected<Error>(chosen.error());
     vulkan->physical = physical[*chosen];
-    vulkan->info = (*devices)[*chosen];
+    vulkan->info = devices[*chosen];
     create_logical_device(*vulkan);
     return Device(std::move(vulkan));
   } catch (const vk::SystemError& error) {
@@ -224,7 +219,7 @@ Result<std::vector<DeviceInfo>> Device::list() {
   try {
     VulkanDevice vulkan;
     create_instance(vulkan, false);
-    return describe_all(physical_devices(vulkan));
+    return describe_all(vk::raii::PhysicalDevices(vulkan.instance));
   } catch (const vk::SystemError& error) {
     return no_vulkan(error);
   }

@@ -156,7 +156,7 @@ Result<void> check_ranges(const VulkanDevice& vulkan, const PackedCharacter& pac
   const std::size_t details = packed.details.size() * sizeof(Word);
   const std::size_t palette = mesh.palette.size() * layout::words_per_joint * sizeof(Word);
   if (details <= limit && palette <= limit) return {};
-  return bad_input("the character's morph targets and joints need {} bytes in one range, the device allows {}",
+  return bad_input("the character's joints, morph targets and muscle regions need {} bytes in one range, the device allows {}",
                    std::max(details, palette), limit);
 }
 
