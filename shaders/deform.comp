@@ -1,6 +1,6 @@
 #version 460
 // The deformation of a character, one invocation a vertex: morph targets, skin, projection-plane Gaussian muscle bulge.
-// Twin of engine/deform; the formulas are body.md 2, 3 and 6.
+// Twin of engine/deform; the formulas are engine/definitions.md 2, 3 and 6.
 //
 // Two builds of one source: SINEW_TEXEL_BUFFERS reads through texel buffers (what a CPU driver vectorises), otherwise
 // through storage buffers (no size limit worth speaking of). They give the same bits.

@@ -6,15 +6,17 @@
 //   word 2: joints 0 and 1, joints 2 and 3 (16 bits each, the lower first), weights of influences 2 and 3 (float)
 // The largest weight is not stored: it is 1 minus the others, so that the sum is exact whatever the rounding.
 //
-// Details, words of 16 bytes: what only some vertices have. The first words_per_region words are zero and serve all vertices
-// that have none. In a character with morph targets or with more than 4 influences the details of a vertex begin with a header
+// Details, words of 16 bytes: what only some vertices have. The first words_per_region words are zero and serve all
+// vertices that have none. In a character with morph targets or with more than 4 influences the details of a vertex
+// begin with a header
 //   {number of morph deltas, 1 where there are influences 4 to 7 else 0, 0, 0}
 //   a morph delta:  {position x, y, z, morph slot (uint)} {normal x, y, z, 0}
 //   influences 4-7: {joints 4 and 5, joints 6 and 7, 0, 0} {their weights}
 // and in every character with muscles they end with its regions
-//   a region entry: {x, y, f, df/dt / length} {A0^T a, muscle index (uint)} {A0^T s, 0}   (body.md 6)
+//   a region entry: {x, y, f, df/dt / length} {A0^T a, muscle index (uint)} {A0^T s, 0}   (engine/definitions.md 6)
 //
-// Palette: 3 words a joint, the rows of its 3x4 matrix. Muscles: 1 word each (MuscleWord). Output: 2 words a vertex, {position, bulge height} {normal, 0}.
+// Palette: 3 words a joint, the rows of its 3x4 matrix. Muscles: 1 word each (MuscleWord). Output: 2 words a vertex,
+// {position, bulge height} {normal, 0}.
 #ifndef SINEW_SHADERS_LAYOUT_H
 #define SINEW_SHADERS_LAYOUT_H
 
@@ -86,26 +88,27 @@ struct MuscleWord {
 
 struct FrameUniforms {
   mat4 view_projection;
-  vec4 eye;            // world position of the camera, unused
-  vec4 right;          // the camera's axes in the world: lights stand relative to the camera
+  vec4 eye;    // world position of the camera, unused
+  vec4 right;  // the camera's axes in the world: lights stand relative to the camera
   vec4 up;
   vec4 back;
-  vec4 depth_range;    // nearest, farthest distance that the depth shading spreads over; largest bulge height; unused
+  vec4 depth_range;  // nearest, farthest distance that the depth shading spreads over; largest bulge height; unused
   uint shading;
   uint padding0, padding1, padding2;
 };
 
 struct MaterialUniforms {
-  vec4 base_colour;   // linear RGBA
-  float alpha_cutoff; // below it a fragment is dropped; negative: never
-  float opaque;       // 1: alpha is ignored
+  vec4 base_colour;    // linear RGBA
+  float alpha_cutoff;  // below it a fragment is dropped; negative: never
+  float opaque;        // 1: alpha is ignored
   float padding0, padding1;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(DeformPush) == 4);
 static_assert(sizeof(MuscleWord) == 16);
-static_assert(sizeof(FrameUniforms) == 160 && offsetof(FrameUniforms, eye) == 64 && offsetof(FrameUniforms, shading) == 144);
+static_assert(sizeof(FrameUniforms) == 160 && offsetof(FrameUniforms, eye) == 64 &&
+              offsetof(FrameUniforms, shading) == 144);
 static_assert(sizeof(MaterialUniforms) == 32 && offsetof(MaterialUniforms, alpha_cutoff) == 16);
 }  // namespace sinew::layout
 #endif

@@ -19,8 +19,8 @@ nlohmann::ordered_json timing_json(const Timing& t) { return {{"median", t.media
 nlohmann::ordered_json report_json(const BenchReport& r, const Device& device, const PictureSize& size) {
   nlohmann::ordered_json stages;
   const std::pair<const char*, const Timing*> rows[] = {
-      {"pose", &r.pose},         {"upload", &r.upload}, {"deform", &r.deform}, {"deform_bare", &r.deform_bare},
-      {"draw", &r.draw},         {"readback", &r.readback}, {"encode", &r.encode}, {"frame", &r.frame}};
+      {"pose", &r.pose}, {"upload", &r.upload},     {"deform", &r.deform}, {"deform_bare", &r.deform_bare},
+      {"draw", &r.draw}, {"readback", &r.readback}, {"encode", &r.encode}, {"frame", &r.frame}};
   for (const auto& [name, t] : rows) stages[name] = timing_json(*t);
   return {{"device", device_json(device.info())},
           {"vertices", r.vertices},
@@ -62,12 +62,15 @@ Result<BenchOptions> bench_options(const Words& words) {
 
 void log_report(const BenchReport& r) {
   spdlog::info("{} vertices, {} triangles, {} joints", r.vertices, r.triangles, r.joints);
-  spdlog::info("pose {:.3f}, upload {:.3f}, deform {:.3f} ({:.2f} times a bare 4-influence SSD kernel, {:.3f}), draw {:.3f}, read back {:.3f}, "
-               "encode {:.3f}, frame {:.3f} ms (medians)",
-               r.pose.median, r.upload.median, r.deform.median, r.deform_ratio, r.deform_bare.median, r.draw.median,
-               r.readback.median, r.encode.median, r.frame.median);
-  spdlog::info("{:.1f} frames/s plain SSD, {:.1f} with the bulge, which costs {:.1f} %; start-up {:.0f} ms, peak {:.0f} MiB",
-               r.ssd_fps, r.bulge_fps, 100.0 * r.bulge_cost, r.startup_ms, r.peak_memory_mib);
+  spdlog::info(
+      "pose {:.3f}, upload {:.3f}, deform {:.3f} ({:.2f} times a bare 4-influence SSD kernel, {:.3f}), draw {:.3f}, "
+      "read back {:.3f}, "
+      "encode {:.3f}, frame {:.3f} ms (medians)",
+      r.pose.median, r.upload.median, r.deform.median, r.deform_ratio, r.deform_bare.median, r.draw.median,
+      r.readback.median, r.encode.median, r.frame.median);
+  spdlog::info(
+      "{:.1f} frames/s plain SSD, {:.1f} with the bulge, which costs {:.1f} %; start-up {:.0f} ms, peak {:.0f} MiB",
+      r.ssd_fps, r.bulge_fps, 100.0 * r.bulge_cost, r.startup_ms, r.peak_memory_mib);
 }
 
 Result<void> bench(const Words& words) {

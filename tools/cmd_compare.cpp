@@ -61,10 +61,11 @@ Result<Verdict> judge(const Words& words, const Picture& a, const Picture& b, co
                    fmt::format("1 - SSIM is {:.5f}, at most {} may be", *value, words.threshold)};
   }
   const double share = static_cast<double>(compared.pixels_over) / static_cast<double>(compared.pixels);
-  return Verdict{share, words.pixels,
-                 fmt::format("{} of {} pixels differ by more than {} levels (largest {}): a share of {:.4g}, at most {:.4g} may",
-                             compared.pixels_over, compared.pixels, words.tolerance, compared.largest_difference, share,
-                             words.pixels)};
+  return Verdict{
+      share, words.pixels,
+      fmt::format("{} of {} pixels differ by more than {} levels (largest {}): a share of {:.4g}, at most {:.4g} may",
+                  compared.pixels_over, compared.pixels, words.tolerance, compared.largest_difference, share,
+                  words.pixels)};
 }
 
 Result<void> compare(const Words& words) {
@@ -100,8 +101,10 @@ void add_compare(CLI::App& program, Run& run) {
   auto words = std::make_shared<Words>();
   command->add_option("a", words->a, "A picture (.png)")->required();
   command->add_option("b", words->b, "Another of the same size")->required();
-  command->add_option("--tolerance", words->tolerance, "Levels of 255 by which a channel may differ")->capture_default_str();
-  command->add_option("--pixels", words->pixels, "Share of the pixels that may exceed it, 0 to 1")->capture_default_str();
+  command->add_option("--tolerance", words->tolerance, "Levels of 255 by which a channel may differ")
+      ->capture_default_str();
+  command->add_option("--pixels", words->pixels, "Share of the pixels that may exceed it, 0 to 1")
+      ->capture_default_str();
   command->add_option("--metric", words->metric, "How to compare: pixels, or ssim")->capture_default_str();
   command->add_option("--threshold", words->threshold, "Of 1 - SSIM: at most this may it be")->capture_default_str();
   command->add_option("--diff", words->diff, "Write the difference, eight times amplified, to this .png");

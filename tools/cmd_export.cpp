@@ -55,9 +55,11 @@ void add_export(CLI::App& program, Run& run) {
   command->footer("Example: sinew export character.glb --frame 12 -o posed.obj");
   auto words = std::make_shared<Words>();
   add_scene_options(*command, words->scene);
-  command->add_option("-o,--output", words->output, "x.obj, x.ply, x.glb, or x_####.obj for several frames")->required();
+  command->add_option("-o,--output", words->output, "x.obj, x.ply, x.glb, or x_####.obj for several frames")
+      ->required();
   command->add_option("--by", words->by, "Who makes the vertices: gpu or cpu")->capture_default_str();
-  command->add_flag("--rig", words->rig, "Write skeleton, weights and morph targets instead of deformed vertices (.glb)");
+  command->add_flag("--rig", words->rig,
+                    "Write skeleton, weights and morph targets instead of deformed vertices (.glb)");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return export_mesh(*words); }; });
 }

@@ -73,8 +73,7 @@ Json humanoid_json(const StagedCharacter& character) {
 Json clips_json(const Stage& stage) {
   Json clips = Json::array();
   for (const StagedCharacter& character : stage.characters)
-    for (const Clip& clip : character.model->clips)
-      clips.push_back({{"name", clip.name}, {"duration", clip.duration}});
+    for (const Clip& clip : character.model->clips) clips.push_back({{"name", clip.name}, {"duration", clip.duration}});
   return clips;
 }
 
@@ -110,8 +109,10 @@ void print_text(const Json& json) {
     }
     std::cout << key << ":\n";
     for (const auto& [inner_key, inner] : value.items())
-      std::cout << (value.is_object() ? fmt::format("  {}: {}\n", inner_key, inner.is_string() ? inner.get<std::string>() : inner.dump())
-                                      : fmt::format("  {}\n", inner.is_string() ? inner.get<std::string>() : inner.dump()));
+      std::cout << (value.is_object()
+                        ? fmt::format("  {}: {}\n", inner_key,
+                                      inner.is_string() ? inner.get<std::string>() : inner.dump())
+                        : fmt::format("  {}\n", inner.is_string() ? inner.get<std::string>() : inner.dump()));
   }
 }
 

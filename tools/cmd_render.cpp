@@ -142,7 +142,10 @@ void add_render(CLI::App& program, Run& run) {
   command->footer("Example: sinew render arm.glb --pose leftLowerArm=0,-90,0 --view left -o arm.png");
   auto words = std::make_shared<Words>();
   add_scene_options(*command, words->scene);
-  command->add_option("-o,--output", words->output, "x.png, x_####.png for several frames, or a film: x.mp4, x.webm, x.gif")->required();
+  command
+      ->add_option("-o,--output", words->output,
+                   "x.png, x_####.png for several frames, or a film: x.mp4, x.webm, x.gif")
+      ->required();
   add_look_options(*command, words->look);
   command->add_option("--overlay", words->overlay, "Drawn over the picture: skeleton, muscles, box, axes, by commas");
   command->add_option("--compare", words->compare, "Panels side by side: bulge, deformer, or another scene or model");

@@ -14,7 +14,8 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--json", options.json, "Print one JSON object on stdout");
   command.add_flag("--quiet", options.quiet, "Log errors only");
   command.add_flag("--verbose", options.verbose, "Log more");
-  command.add_option("--progress", options.progress, "Progress on stderr: auto, bar, plain or none")->capture_default_str();
+  command.add_option("--progress", options.progress, "Progress on stderr: auto, bar, plain or none")
+      ->capture_default_str();
   command.add_option("--device", options.device, "Vulkan device: its index, or a part of its name")
       ->envname("SINEW_DEVICE");
   command.add_flag("--validate", options.validate, "Run with Vulkan's validation layer; any message is an error");
@@ -29,10 +30,12 @@ void add_scene_options(CLI::App& command, SceneWords& words) {
   command.add_option("scene", words.scene, "A scene file, a .glb or .gltf, or nothing for the embedded scene");
   auto* frame = command.add_option("--frame", words.frame, "One frame");
   command.add_option("--frames", words.frames, "Frames: 0-47, 0-99:5 or 1,3,7-9")->excludes(frame);
-  command.add_option("--deformer", words.deformer, "How vertices follow the joints: rigid or ssd")->capture_default_str();
+  command.add_option("--deformer", words.deformer, "How vertices follow the joints: rigid or ssd")
+      ->capture_default_str();
   command.add_option("--bulge", words.bulge, "Muscles: on, off or paper (keeps the step at the region's edge)")
       ->capture_default_str();
-  command.add_option("--pose", words.poses, "JOINT=x,y,z: turn a joint from its rest pose about the model's axes, degrees")
+  command
+      .add_option("--pose", words.poses, "JOINT=x,y,z: turn a joint from its rest pose about the model's axes, degrees")
       ->allow_extra_args(false);
   command.add_option("--clip", words.clip, "The model's own animation: its name, its index, or none");
   command.add_option("--fps", words.fps, "Frames a second, in place of the scene's");
@@ -99,9 +102,7 @@ void apply_verbosity(const CommonOptions& options) {
   static const auto logger = spdlog::stderr_color_st("sinew");
   spdlog::set_default_logger(logger);
   spdlog::set_pattern("%^%l%$: %v");
-  spdlog::set_level(options.quiet     ? spdlog::level::err
-                    : options.verbose ? spdlog::level::debug
-                                      : spdlog::level::info);
+  spdlog::set_level(options.quiet ? spdlog::level::err : options.verbose ? spdlog::level::debug : spdlog::level::info);
 }
 
 Result<Device> open_device(const CommonOptions& options) {

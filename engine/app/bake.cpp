@@ -82,7 +82,8 @@ Result<Bytes> encode(const BakedMesh& mesh, const std::string& output, const Sta
   const std::string ending = ending_of(output);
   if (ending == ".ply") return ply_bytes(mesh, 0);
   if (ending == ".glb") return baked_glb(mesh, std::filesystem::path(stage.source).stem().string());
-  const std::string text = obj_text(mesh, 0, fmt::format("sinew: {}", std::filesystem::path(stage.source).filename().string()));
+  const std::string text =
+      obj_text(mesh, 0, fmt::format("sinew: {}", std::filesystem::path(stage.source).filename().string()));
   return Bytes(text.begin(), text.end());
 }
 

@@ -10,9 +10,9 @@ namespace sinew {
 
 struct BakeOptions {
   SceneOptions scene;
-  std::string output;       ///< .obj, .ply or .glb; with a run of '#', a file a frame
-  bool by_cpu = false;      ///< vertices from the reference instead of the compute pass
-  bool rig = false;         ///< skeleton, weights and morph targets instead of baked vertices
+  std::string output;   ///< .obj, .ply or .glb; with a run of '#', a file a frame
+  bool by_cpu = false;  ///< vertices from the reference instead of the compute pass
+  bool rig = false;     ///< skeleton, weights and morph targets instead of baked vertices
   ProgressStyle progress = ProgressStyle::automatic;
 };
 

@@ -78,7 +78,11 @@ class Bench {
  public:
   Bench(const Stage& stage, const BenchOptions& options, FrameMaker with, FrameMaker without,
         std::vector<GpuDeformer> bare)
-      : stage_(stage), options_(options), with_(std::move(with)), without_(std::move(without)), bare_(std::move(bare)) {}
+      : stage_(stage),
+        options_(options),
+        with_(std::move(with)),
+        without_(std::move(without)),
+        bare_(std::move(bare)) {}
 
   Result<BenchReport> run(double startup_ms) {
     const int rounds = warm_up_rounds + options_.frames_timed;
@@ -153,7 +157,8 @@ class Bench {
   }
 
   void forget() {
-    for (auto* times : {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &with_ms_, &without_ms_})
+    for (auto* times :
+         {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &with_ms_, &without_ms_})
       times->clear();
   }
 

@@ -23,9 +23,9 @@ struct BenchReport {
   Timing deform_bare;         ///< a bare 4-influence SSD kernel of the same layout, interleaved with `deform`
   double deform_ratio = 0.0;  ///< median over rounds of deform / deform_bare
   double ssd_fps = 0.0, bulge_fps = 0.0;
-  double bulge_cost = 0.0;    ///< median over interleaved pairs of frames of (with / without) - 1
+  double bulge_cost = 0.0;  ///< median over interleaved pairs of frames of (with / without) - 1
   double peak_memory_mib = 0.0;
-  double startup_ms = 0.0;    ///< from the process' start to the first picture in host memory
+  double startup_ms = 0.0;  ///< from the process' start to the first picture in host memory
 };
 
 /// Every stage is timed as a submit of its own with the bulge on, after warm-up, frames taken in turn from the range.

@@ -32,7 +32,8 @@ std::optional<CapturedFrame> kept_picture(CapturedFrame frame, const std::string
 }
 
 /// Encodes and writes one picture.
-Result<CapturedFrame> write_picture(const Picture& picture, CapturedFrame frame, const std::string& hash, bool keep_alpha) {
+Result<CapturedFrame> write_picture(const Picture& picture, CapturedFrame frame, const std::string& hash,
+                                    bool keep_alpha) {
   const PngText text{Recipe::png_keyword, hash};
   auto png = encode_png(picture.rgba, picture.width, picture.height, std::span(&text, 1), keep_alpha);
   if (!png) return pass_on(std::move(png));
@@ -125,8 +126,9 @@ class Sequence {
   std::future<Result<CapturedFrame>> writing_;
 };
 
-Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figure, const Stage& stage, const CaptureOptions& options,
-                                       const std::vector<int>& frames, Outcome& outcome) {
+Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figure, const Stage& stage,
+                                       const CaptureOptions& options, const std::vector<int>& frames,
+                                       Outcome& outcome) {
   const Recipe recipe(stage, options.scene, options.look, figure);
   const bool keep_alpha = keeps_alpha(stage, options);
   Sequence sequence(draw, outcome, [&](const Picture& picture, const CapturedFrame& frame) {
@@ -156,8 +158,8 @@ Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figu
 Result<CaptureReport> capture_film(const Draw& draw, const Stage& stage, const CaptureOptions& options,
                                    const std::vector<int>& frames, Outcome& outcome) {
   const PictureSize& size = options.look.size;
-  auto film = FilmWriter::create(options.output,
-                                 {size.width, size.height, stage.scene.fps, keeps_alpha(stage, options)});
+  auto film =
+      FilmWriter::create(options.output, {size.width, size.height, stage.scene.fps, keeps_alpha(stage, options)});
   if (!film) return pass_on(std::move(film));
   Sequence sequence(draw, outcome, [&](const Picture& picture, CapturedFrame frame) -> Result<CapturedFrame> {
     frame.sha256 = sha256(picture.rgba);
@@ -199,7 +201,8 @@ Result<Shard> parse_shard(std::string_view text) {
 Result<void> check_output(const CaptureOptions& options) {
   if (is_film(options.output)) {
     if (options.resume || options.shard.count > 1)
-      return failure(ErrorKind::usage, "-o {}: a film is written whole; --resume and --shard go with pictures", options.output);
+      return failure(ErrorKind::usage, "-o {}: a film is written whole; --resume and --shard go with pictures",
+                     options.output);
     return check_film_name(options.output);
   }
   const std::string ending = lower(std::filesystem::path(options.output).extension().string());

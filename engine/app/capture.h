@@ -18,7 +18,7 @@ struct CaptureOptions {
   SceneOptions scene;
   LookOptions look;
   FigureOptions figure;
-  std::string output;   ///< `x.png`, `x_####.png` for several frames, or a film: .mp4, .webm, .gif
+  std::string output;  ///< `x.png`, `x_####.png` for several frames, or a film: .mp4, .webm, .gif
   Shard shard;
   bool resume = false;  ///< keep a frame whose file is whole, has the right size and was made by the same recipe
   ProgressStyle progress = ProgressStyle::automatic;

@@ -109,7 +109,8 @@ Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames)
   std::vector<std::string> names;
   for (int i = 0; i < places; ++i) {
     const std::size_t last = frames.size() - 1;
-    const int frame = frames[places == 1 ? 0 : (last * std::size_t(i) + std::size_t(places - 1) / 2) / std::size_t(places - 1)];
+    const int frame =
+        frames[places == 1 ? 0 : (last * std::size_t(i) + std::size_t(places - 1) / 2) / std::size_t(places - 1)];
     auto picture = row(frame, 0.0);
     if (!picture) return picture;
     pictures.push_back(std::move(*picture));
@@ -124,15 +125,14 @@ Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames)
 
 Result<OverlayOptions> parse_overlay(std::string_view text) {
   OverlayOptions overlay;
-  const std::pair<const char*, bool*> words[] = {{"skeleton", &overlay.skeleton},
-                                                 {"muscles", &overlay.muscles},
-                                                 {"box", &overlay.box},
-                                                 {"axes", &overlay.axes}};
+  const std::pair<const char*, bool*> words[] = {
+      {"skeleton", &overlay.skeleton}, {"muscles", &overlay.muscles}, {"box", &overlay.box}, {"axes", &overlay.axes}};
   std::vector<std::string> known;
   for (const auto& [word, flag] : words) known.emplace_back(word);
   for (const std::string& asked : split(text, ',')) {
     if (asked == "wire" || asked == "guides" || asked == "regions")
-      return failure(ErrorKind::usage, "--overlay {}: does not exist yet; expected some of {}", asked, fmt::join(known, ", "));
+      return failure(ErrorKind::usage, "--overlay {}: does not exist yet; expected some of {}", asked,
+                     fmt::join(known, ", "));
     const auto found = std::find(known.begin(), known.end(), asked);
     if (found == known.end())
       return failure(ErrorKind::usage, "--overlay {}: expected some of {}, separated by commas{}", asked,

@@ -1,6 +1,6 @@
 #pragma once
-/// Pictures that explain: overlays, panels side by side, insets, contact sheets, turntables. A plain picture is the figure
-/// with nothing added.
+/// Pictures that explain: overlays, panels side by side, insets, contact sheets, turntables. A plain picture is the
+/// figure with nothing added.
 
 #include <map>
 
@@ -39,14 +39,15 @@ struct FigureOptions {
   int turntable = 0;          ///< so many pictures round the first selected frame; 0: none
 };
 
-/// Makes the pictures of a figure. The size that was asked for is that of the whole, panels and gutters included. Device
-/// and stage must outlive it.
+/// Makes the pictures of a figure. The size that was asked for is that of the whole, panels and gutters included.
+/// Device and stage must outlive it.
 class FigureMaker {
  public:
-  /// Fails as bad_input where the joint to zoom on or the scene to compare with is not there, as cannot_write where labels
-  /// are needed and no font is installed.
-  static Result<FigureMaker> create(Device& device, const Stage& stage, const SceneOptions& scene, const LookOptions& look,
-                                    const FigureOptions& figure, std::vector<std::string>& problems);
+  /// Fails as bad_input where the joint to zoom on or the scene to compare with is not there, as cannot_write where
+  /// labels are needed and no font is installed.
+  static Result<FigureMaker> create(Device& device, const Stage& stage, const SceneOptions& scene,
+                                    const LookOptions& look, const FigureOptions& figure,
+                                    std::vector<std::string>& problems);
   FigureMaker(FigureMaker&&) noexcept;
   ~FigureMaker();
 

@@ -5,12 +5,18 @@ namespace {
 
 ViewDirection direction(View view) {
   switch (view) {
-    case View::front: return {0.0, 0.0};
-    case View::left: return {90.0, 0.0};
-    case View::back: return {180.0, 0.0};
-    case View::right: return {270.0, 0.0};
-    case View::top: return {0.0, 90.0};
-    case View::three_quarter: return {35.0, 12.0};
+    case View::front:
+      return {0.0, 0.0};
+    case View::left:
+      return {90.0, 0.0};
+    case View::back:
+      return {180.0, 0.0};
+    case View::right:
+      return {270.0, 0.0};
+    case View::top:
+      return {0.0, 90.0};
+    case View::three_quarter:
+      return {35.0, 12.0};
   }
   return {};
 }

@@ -123,8 +123,8 @@ Result<int> find_clip(const Model& model, const ClipChoice& choice) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return static_cast<int>(i);
   if (names.empty()) return bad_input("{}: has no clip \"{}\"; it has none at all", model.file, name);
-  return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names), names.size(),
-                   fmt::join(names, ", "));
+  return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names),
+                   names.size(), fmt::join(names, ", "));
 }
 
 Result<void> choose_clip(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place) {
@@ -160,7 +160,8 @@ Result<void> add_poses(Stage& stage, const std::vector<PoseOption>& poses) {
       character.tracks.push_back({*node, Keyed<Vec3>::constant(pose.degrees)});
       found = true;
     }
-    if (!found) return bad_input("--pose {}: {}", pose.joint, unknown ? unknown->message : "the scene has no character");
+    if (!found)
+      return bad_input("--pose {}: {}", pose.joint, unknown ? unknown->message : "the scene has no character");
   }
   return {};
 }
@@ -281,7 +282,8 @@ Result<Stage> open_stage(const SceneOptions& options) {
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
-    if (auto ok = prepare(staged, options, opened->bare_model, place, stage.problems); !ok) return pass_on(std::move(ok));
+    if (auto ok = prepare(staged, options, opened->bare_model, place, stage.problems); !ok)
+      return pass_on(std::move(ok));
   }
   if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
   stage.range = stage.scene.frames.value_or(natural_range(stage));

@@ -68,7 +68,8 @@ Result<Shading> parse_shading(std::string_view text) {
 
 Result<Colour> parse_background(std::string_view text) {
   if (const auto colour = parse_colour(text)) return *colour;
-  return failure(ErrorKind::usage, "--background {}: expected a colour such as #d8d8d8, black, white or transparent", text);
+  return failure(ErrorKind::usage, "--background {}: expected a colour such as #d8d8d8, black, white or transparent",
+                 text);
 }
 
 ClipChoice parse_clip(std::string_view text) {

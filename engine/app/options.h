@@ -1,5 +1,6 @@
 #pragma once
-/// What the user asked for, checked as far as that goes without opening a file. tools/ fills these from the command line.
+/// What the user asked for, checked as far as that goes without opening a file. tools/ fills these from the command
+/// line.
 
 #include <filesystem>
 #include <optional>
@@ -21,15 +22,15 @@ struct PoseOption {
 
 /// What render, export, parity and bench share.
 struct SceneOptions {
-  std::string scene;                           ///< scene file or glTF file; empty: the embedded default
-  std::optional<std::vector<int>> frames;      ///< `--frame`, `--frames`
+  std::string scene;                       ///< scene file or glTF file; empty: the embedded default
+  std::optional<std::vector<int>> frames;  ///< `--frame`, `--frames`
   Deformer deformer = Deformer::ssd;
   BulgeMode bulge = BulgeMode::on;
   std::vector<PoseOption> poses;
   std::optional<ClipChoice> clip;
   std::optional<double> fps;
-  double strength = 1.0;                       ///< of all muscles, 0 to 1
-  std::size_t vertices = 0;                    ///< resample every character to about so many; 0: as the file has it
+  double strength = 1.0;     ///< of all muscles, 0 to 1
+  std::size_t vertices = 0;  ///< resample every character to about so many; 0: as the file has it
 };
 
 /// Each fails as usage, naming the option, the value and what would be right.

@@ -19,8 +19,9 @@ Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& joint);
 /// Draws one panel. Device and stage must outlive it.
 class PanelMaker {
  public:
-  static Result<PanelMaker> create(Device& device, const Stage& stage, const SceneOptions& scene, const LookOptions& look,
-                                   const FigureOptions& figure, std::vector<std::string>& problems);
+  static Result<PanelMaker> create(Device& device, const Stage& stage, const SceneOptions& scene,
+                                   const LookOptions& look, const FigureOptions& figure,
+                                   std::vector<std::string>& problems);
 
   /// `orbit`: degrees added to the camera's. `font` may be null where nothing is labelled.
   Result<Picture> picture(int frame, double orbit, const Font* font);

@@ -9,8 +9,8 @@
 namespace sinew {
 namespace {
 
-/// Up to this many frames a range's bounds are taken from every frame; beyond it from so many evenly spaced ones, and from
-/// every key of the scene.
+/// Up to this many frames a range's bounds are taken from every frame; beyond it from so many evenly spaced ones, and
+/// from every key of the scene.
 constexpr int most_bounds_samples = 256;
 
 Mat4 placement(const Character& character, double frame) {
@@ -91,7 +91,8 @@ DeformedVertices deform_on_cpu(const StagedCharacter& character, const Character
   std::vector<ActiveMuscle> active;
   for (std::size_t i = 0; i < character.muscles.size(); ++i)
     active.push_back({character.muscles[i].muscle, character.muscles[i].region, state.activations[i]});
-  return deform_reference(character.mesh, character.rest, {state.palette, state.morph_weights, active, deformer, bulge});
+  return deform_reference(character.mesh, character.rest,
+                          {state.palette, state.morph_weights, active, deformer, bulge});
 }
 
 Bounds rest_bounds(const Stage& stage) {

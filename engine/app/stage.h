@@ -1,6 +1,6 @@
 #pragma once
-/// A scene made ready to play: files read, joints found, muscles placed. A frame's state is a pure function of the stage
-/// and the frame's number. No Vulkan here.
+/// A scene made ready to play: files read, joints found, muscles placed. A frame's state is a pure function of the
+/// stage and the frame's number. No Vulkan here.
 
 #include <memory>
 #include <string>
@@ -44,11 +44,11 @@ struct CharacterState {
 struct Stage {
   Scene scene;
   std::vector<StagedCharacter> characters;
-  FrameSpan range;          ///< the scene's whole range
-  double strength = 1.0;    ///< of all muscles
-  bool is_scene = true;     ///< opened from a scene, not from a bare model
-  std::string source;       ///< what was opened, for messages: a file, or "the embedded scene"
-  std::string scene_hash;   ///< of what is shown: scene, models, clip, pose, fps, strength; no paths, no frames
+  FrameSpan range;         ///< the scene's whole range
+  double strength = 1.0;   ///< of all muscles
+  bool is_scene = true;    ///< opened from a scene, not from a bare model
+  std::string source;      ///< what was opened, for messages: a file, or "the embedded scene"
+  std::string scene_hash;  ///< of what is shown: scene, models, clip, pose, fps, strength; no paths, no frames
   std::vector<std::string> problems;  ///< of all models, each with its file
 
   std::size_t vertices() const;

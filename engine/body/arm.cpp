@@ -53,7 +53,7 @@ void close_shoulder(QuadCage& cage, const LimbRing& edge) {
     return cage.add({cut_x + cut_slope * share * p.y - rise, share * p.y, share * p.z});
   };
   LimbRing ring;
-  for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = on_cut(edge[k], 0.85, 0.0);
+  for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = on_cut(edge[k], 0.82, 0.0);
   cage.bridge(ring, edge);
   std::array<std::uint32_t, 4> inner;
   for (std::size_t corner = 0; corner < inner.size(); ++corner) inner[corner] = on_cut(edge[3 * corner], 0.40, 0.001);
@@ -106,11 +106,13 @@ double behind(double x, double joint_x, double half_width) {
 }
 
 /// Weights by place along the straight limb, in the drawn measures. The olecranon is the ulna's: on the extensor side
-/// the lower arm begins before the joint's axis, so that the bent elbow has its point.
+/// the lower arm begins before the joint's axis, so that the bent elbow has its point. On the flexor side the two blend
+/// over a longer stretch: there they meet in a fold, and a sharper change would push one through the other.
 std::vector<Influence> influences_at(const Vec3& drawn) {
   const double extensor = smoothstep01((-0.006 - drawn.z) / 0.024);
+  const double flexor = smoothstep01((drawn.z + 0.014) / 0.030);
   const double s = behind(drawn.x, -0.032, 0.026);
-  const double e = behind(drawn.x, elbow_x - 0.027 * extensor, 0.039 + 0.004 * extensor);
+  const double e = behind(drawn.x, elbow_x - 0.027 * extensor + 0.009 * flexor, 0.050 + 0.036 * flexor);
   const double h = behind(drawn.x, wrist_x, 0.022);
   const double weights[] = {1 - s, s * (1 - e), s * e * (1 - h), s * e * h};
   std::vector<Influence> run;

@@ -8,7 +8,7 @@ namespace {
 /// A rest pose bent by more than this shows by itself which side flexes.
 constexpr double telling_bend_degrees = 5.0;
 
-/// Numbers of a preset, in units of the limb: L its length, r its radius at the belly. body.md 7.
+/// Numbers of a preset, in units of the limb: L its length, r its radius at the belly. engine/definitions.md 7.
 struct PresetShape {
   HumanoidBone left_bone, left_child;
   double from, to, spread;
@@ -90,9 +90,10 @@ Result<PlacedMuscle> place_muscle(const PlacementContext& character, const Muscl
 
   const auto driver = driver_angle(character.model, character.humanoid, muscle.driver, muscle.tip);
   if (!driver)
-    return bad_input("muscle \"{}\": no angle can be measured at its driver \"{}\": there is no joint before or after it; "
-                     "name another driver, or a tip",
-                     muscle.name, character.model.nodes[muscle.driver].name);
+    return bad_input(
+        "muscle \"{}\": no angle can be measured at its driver \"{}\": there is no joint before or after it; "
+        "name another driver, or a tip",
+        muscle.name, character.model.nodes[muscle.driver].name);
   placed.driver = *driver;
   muscle.tip = driver->after;
   muscle.from = *spec.from;
@@ -106,8 +107,8 @@ Result<PlacedMuscle> place_muscle(const PlacementContext& character, const Muscl
                      muscle.name, muscle.rest_angle);
 
   if (muscle.from >= muscle.to)
-    return bad_input("muscle \"{}\": its region runs from {} to {}; from must be less than to", muscle.name, muscle.from,
-                     muscle.to);
+    return bad_input("muscle \"{}\": its region runs from {} to {}; from must be less than to", muscle.name,
+                     muscle.from, muscle.to);
   auto region = muscle_region(character.model, character.mesh, character.rest, muscle);
   if (!region) return pass_on(std::move(region));
   placed.region = std::move(*region);
@@ -116,7 +117,8 @@ Result<PlacedMuscle> place_muscle(const PlacementContext& character, const Muscl
     const double r = limb_radius(character.model, character.mesh, character.rest, muscle, placed.region);
     muscle.peak = shape.peak_radii * r;
     // Without a vertex to measure there is nothing to swell either; any width but 0 will do.
-    muscle.sigma = {shape.sigma_along_lengths * placed.region.plane.length, std::max(shape.sigma_across_radii * r, 1e-9)};
+    muscle.sigma = {shape.sigma_along_lengths * placed.region.plane.length,
+                    std::max(shape.sigma_across_radii * r, 1e-9)};
   }
   if (spec.peak) muscle.peak = *spec.peak;
   if (spec.sigma) muscle.sigma = *spec.sigma;

@@ -1,5 +1,5 @@
 #pragma once
-/// Muscles on a given character: from what a scene says, or by preset (body.md 6 and 7).
+/// Muscles on a given character: from what a scene says, or by preset (engine/definitions.md 6 and 7).
 
 #include <string>
 #include <vector>

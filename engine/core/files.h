@@ -17,16 +17,17 @@ using Bytes = std::vector<unsigned char>;
 /// The whole file. Fails as bad_input, naming the file, where it is missing, no regular file, or over `limit` bytes.
 Result<Bytes> read_file(const std::filesystem::path& file, std::size_t limit = std::size_t{2} << 30);
 
-/// Writes `data` to a temporary file beside `file`, flushes it to the disk and renames it. On any failure (cannot_write)
-/// nothing new is left, and what stood there before stays. A character device (/dev/null) is written to directly.
+/// Writes `data` to a temporary file beside `file`, flushes it to the disk and renames it. On any failure
+/// (cannot_write) nothing new is left, and what stood there before stays. A character device (/dev/null) is written to
+/// directly.
 Result<void> write_file(const std::filesystem::path& file, std::span<const unsigned char> data);
 Result<void> write_file(const std::filesystem::path& file, const std::string& text);
 
 /// A hidden name beside `file` that does not exist and that no other process gives to a temporary.
 std::filesystem::path temporary_beside(const std::filesystem::path& file);
 
-/// Fails as cannot_write where `file` cannot be created: its folder is missing or not writable, or it is a folder itself.
-/// Leaves no trace. Meant to be asked before long work starts.
+/// Fails as cannot_write where `file` cannot be created: its folder is missing or not writable, or it is a folder
+/// itself. Leaves no trace. Meant to be asked before long work starts.
 Result<void> check_writable(const std::filesystem::path& file);
 
 /// SHA-256 of data that comes in pieces.
@@ -40,7 +41,7 @@ class Sha256 {
   void add(std::span<const unsigned char> data);
   /// The bytes of numbers, as they lie in memory.
   template <class T>
-    requires std::is_trivially_copyable_v<T>
+  requires std::is_trivially_copyable_v<T>
   void add_all(const std::vector<T>& values) {
     add({reinterpret_cast<const unsigned char*>(values.data()), values.size() * sizeof(T)});
   }

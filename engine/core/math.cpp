@@ -54,8 +54,6 @@ double smoothstep01_slope(double x) {
   return 6.0 * x * (1.0 - x);
 }
 
-Mat3 cofactor(const Mat3& a) {
-  return {glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1])};
-}
+Mat3 cofactor(const Mat3& a) { return {glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1])}; }
 
 }  // namespace sinew

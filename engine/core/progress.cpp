@@ -13,7 +13,11 @@ constexpr int bar_width = 30;
 }  // namespace
 
 Progress::Progress(std::string what, std::size_t total, ProgressStyle style)
-    : what_(std::move(what)), total_(total), style_(style), start_(Clock::now()), next_(start_ + std::chrono::seconds(1)) {
+    : what_(std::move(what)),
+      total_(total),
+      style_(style),
+      start_(Clock::now()),
+      next_(start_ + std::chrono::seconds(1)) {
   if (style_ == ProgressStyle::automatic)
     style_ = ::isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::plain;
 }

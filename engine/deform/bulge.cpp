@@ -40,7 +40,8 @@ Result<void> BulgeJob::validate() const {
                                                        {"normals", normals.size()},
                                                        {"heights", heights.size()}};
   for (const auto& [what, size] : spans)
-    if (size != vertices) return bad_input("bulge: {} has {} entries, expected {} (one a vertex)", what, size, vertices);
+    if (size != vertices)
+      return bad_input("bulge: {} has {} entries, expected {} (one a vertex)", what, size, vertices);
   for (const ActiveMuscle& active : muscles)
     for (const RegionVertex& v : active.region.vertices)
       if (v.vertex >= vertices)

@@ -11,11 +11,12 @@ namespace sinew {
 struct ActiveMuscle {
   const Muscle& muscle;
   const MuscleRegion& region;
-  double activation = 0.0;  ///< delta of body.md 6
+  double activation = 0.0;  ///< delta of engine/definitions.md 6
 };
 
-/// The projection-plane Gaussian muscle bulge on top of a skinned mesh: v' += h n', h = delta peak g f, and the normals of
-/// the swollen surface to first order. body.md 3 and 6; Lin 2009. Vertices outside every region keep their bits.
+/// The projection-plane Gaussian muscle bulge on top of a skinned mesh: v' += h n', h = delta peak g f, and the normals
+/// of the swollen surface to first order. engine/definitions.md 3 and 6; Lin 2009. Vertices outside every region keep
+/// their bits.
 struct BulgeJob {
   std::span<const ActiveMuscle> muscles;
   BulgeMode mode = BulgeMode::on;

@@ -1,5 +1,5 @@
 #pragma once
-/// Which vertices a muscle swells, and where they lie on its projection plane. body.md 3 and 6.
+/// Which vertices a muscle swells, and where they lie on its projection plane. engine/definitions.md 3 and 6.
 
 #include <cstdint>
 #include <vector>
@@ -37,19 +37,20 @@ struct MuscleRegion {
   std::size_t segment_vertices = 0;    ///< vertices of the whole limb segment
 };
 
-/// The plane of a muscle. Needs bone, child and facing; fails where the joints coincide or the facing runs along the limb.
+/// The plane of a muscle. Needs bone, child and facing; fails where the joints coincide or the facing runs along the
+/// limb.
 Result<ProjectionPlane> projection_plane(const Muscle& muscle, std::span<const Mat4> rest_global);
 
 /// Finds the segment and the region. Needs bone, child, facing, from, to and spread of the muscle.
 Result<MuscleRegion> muscle_region(const Model& model, const CharacterMesh& mesh, const RestShape& rest,
                                    const Muscle& muscle);
 
-/// r of body.md 7: the mean distance to the limb's axis of the segment's vertices within 0.05 of the region's centre
-/// along the bone; where there are none, of the nearest ones.
+/// r of engine/definitions.md 7: the mean distance to the limb's axis of the segment's vertices within 0.05 of the
+/// region's centre along the bone; where there are none, of the nearest ones.
 double limb_radius(const Model& model, const CharacterMesh& mesh, const RestShape& rest, const Muscle& muscle,
                    const MuscleRegion& region);
 
-/// f of body.md 6: what takes the Gaussian to zero towards the region's edge.
+/// f of engine/definitions.md 6: what takes the Gaussian to zero towards the region's edge.
 struct RegionFade {
   double value = 1.0;
   double slope = 0.0;  ///< its change with t, by the two end fades; the others are held

@@ -19,11 +19,14 @@ DeformedVertices deform_reference(const CharacterMesh& mesh, const RestShape& re
   const SkinInput input{bind.positions, bind.normals, state.palette, mesh.influences};
   const SkinOutput output{out.positions, out.normals, out.blend};
   switch (state.deformer) {
-    case Deformer::rigid: RigidJob{input, output}.run(); break;
-    case Deformer::ssd: SsdJob{input, output}.run(); break;
+    case Deformer::rigid:
+      RigidJob{input, output}.run();
+      break;
+    case Deformer::ssd:
+      SsdJob{input, output}.run();
+      break;
   }
-  BulgeJob{state.muscles, state.bulge,   bind.normals, rest.blend,
-           out.blend,     out.positions, out.normals,  out.heights}
+  BulgeJob{state.muscles, state.bulge, bind.normals, rest.blend, out.blend, out.positions, out.normals, out.heights}
       .run();
   return out;
 }

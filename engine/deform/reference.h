@@ -11,8 +11,8 @@ namespace sinew {
 
 /// One pose of one character, as both deformers take it.
 struct DeformState {
-  std::span<const Mat34> palette;          ///< [mesh.palette] F_i, world space
-  std::span<const double> morph_weights;   ///< [mesh.morph_slots]
+  std::span<const Mat34> palette;         ///< [mesh.palette] F_i, world space
+  std::span<const double> morph_weights;  ///< [mesh.morph_slots]
   std::span<const ActiveMuscle> muscles;
   Deformer deformer = Deformer::ssd;
   BulgeMode bulge = BulgeMode::on;

@@ -8,7 +8,7 @@
 namespace sinew {
 
 /// Rest space: the character as its nodes' own rest pose shows it, model units and axes. Muscles are defined here
-/// (body.md 6).
+/// (engine/definitions.md 6).
 struct RestShape {
   std::vector<Vec3> positions;  ///< [vertices]
   std::vector<Vec3> normals;    ///< [vertices] unit length

@@ -3,8 +3,8 @@
 
 namespace sinew {
 
-/// Every vertex follows the one joint of its largest weight: v' = F_b v.  The paper's baseline, body.md 2: segments come
-/// apart at the joints.
+/// Every vertex follows the one joint of its largest weight: v' = F_b v.  The paper's baseline, engine/definitions.md
+/// 2: segments come apart at the joints.
 struct RigidJob {
   SkinInput input;
   SkinOutput output;

@@ -1,5 +1,6 @@
 #pragma once
-/// The rigid skin as a picture needs it: each triangle follows one bone, so that gaps open at the joints (body.md 2).
+/// The rigid skin as a picture needs it: each triangle follows one bone, so that gaps open at the joints
+/// (engine/definitions.md 2).
 
 #include <cstdint>
 #include <vector>
@@ -19,8 +20,8 @@ struct RigidSplit {
   std::vector<std::uint32_t> triangles;    ///< in the order of the mesh's
 };
 
-/// Gives each triangle the bone that most of its corners follow (of three different ones the first corner's) and a copy of
-/// every corner that follows another.
+/// Gives each triangle the bone that most of its corners follow (of three different ones the first corner's) and a copy
+/// of every corner that follows another.
 RigidSplit split_by_bone(const CharacterMesh& mesh);
 
 }  // namespace sinew

@@ -27,7 +27,7 @@ struct SkinInput {
 /// Says which span is short, or which vertex names a joint that the palette does not have.
 Result<void> validate_skinning(const SkinInput& input, const SkinOutput& output);
 
-/// Carries a normal by the inverse transpose of `blend`, unit length: n' = unit(A^-T n), body.md 6.
+/// Carries a normal by the inverse transpose of `blend`, unit length: n' = unit(A^-T n), engine/definitions.md 6.
 /// Where `blend` is singular the direction that its cofactors give is kept.
 Vec3 carry_normal(const Mat3& blend, const Vec3& normal);
 

@@ -3,8 +3,8 @@
 
 namespace sinew {
 
-/// Skeletal subspace deformation, also called linear blend skinning: v' = (sum w_i F_i) v.  body.md 2; Magnenat-Thalmann
-/// et al. 1988; Lewis et al. 2000.
+/// Skeletal subspace deformation, also called linear blend skinning: v' = (sum w_i F_i) v.  engine/definitions.md 2;
+/// Magnenat-Thalmann et al. 1988; Lewis et al. 2000.
 struct SsdJob {
   SkinInput input;
   SkinOutput output;

@@ -28,11 +28,16 @@ std::string version_text(uint32_t version) {
 
 std::string type_name(vk::PhysicalDeviceType type) {
   switch (type) {
-    case vk::PhysicalDeviceType::eDiscreteGpu: return "discrete";
-    case vk::PhysicalDeviceType::eIntegratedGpu: return "integrated";
-    case vk::PhysicalDeviceType::eVirtualGpu: return "virtual";
-    case vk::PhysicalDeviceType::eCpu: return "cpu";
-    default: return "other";
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return "discrete";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return "integrated";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return "virtual";
+    case vk::PhysicalDeviceType::eCpu:
+      return "cpu";
+    default:
+      return "other";
   }
 }
 
@@ -133,8 +138,8 @@ Result<std::size_t> choose(const std::vector<DeviceInfo>& devices, const std::st
   std::optional<std::size_t> chosen;
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const auto index = parse_integer(wanted);
-    const bool meant = index ? *index == static_cast<long long>(i)
-                             : lower(devices[i].name).find(lower(wanted)) != std::string::npos;
+    const bool meant =
+        index ? *index == static_cast<long long>(i) : lower(devices[i].name).find(lower(wanted)) != std::string::npos;
     if (!meant) continue;
     if (!wanted.empty() && !devices[i].refused.empty())
       return failure(ErrorKind::no_device, "device \"{}\" cannot be used: {}", devices[i].name, devices[i].refused);
@@ -143,8 +148,10 @@ Result<std::size_t> choose(const std::vector<DeviceInfo>& devices, const std::st
   }
   if (chosen) return *chosen;
   if (wanted.empty())
-    return failure(ErrorKind::no_device, "no Vulkan 1.3 device can be used; found:{}\nOn Debian, mesa-vulkan-drivers "
-                   "brings one that runs on the CPU.", listing(devices));
+    return failure(ErrorKind::no_device,
+                   "no Vulkan 1.3 device can be used; found:{}\nOn Debian, mesa-vulkan-drivers "
+                   "brings one that runs on the CPU.",
+                   listing(devices));
   return failure(ErrorKind::no_device, "no Vulkan device is called \"{}\"; there are:{}", wanted, listing(devices));
 }
 
@@ -176,8 +183,10 @@ std::vector<DeviceInfo> describe_all(const vk::raii::PhysicalDevices& physical) 
 }
 
 tl::unexpected<Error> no_vulkan(const vk::SystemError& error) {
-  return failure(ErrorKind::no_device, "Vulkan cannot start ({}); is a driver installed? On Debian, mesa-vulkan-drivers "
-                 "brings one that runs on the CPU.", error.what());
+  return failure(ErrorKind::no_device,
+                 "Vulkan cannot start ({}); is a driver installed? On Debian, mesa-vulkan-drivers "
+                 "brings one that runs on the CPU.",
+                 error.what());
 }
 
 }  // namespace

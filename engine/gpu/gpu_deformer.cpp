@@ -40,7 +40,8 @@ std::size_t chunk_size(const VulkanDevice& vulkan, bool texel, std::size_t large
   std::size_t range = vulkan.limits.maxStorageBufferRange;
   if (largest_range != 0) range = std::min(range, largest_range);
   std::size_t vertices = range / std::max(output_bytes, texel ? output_bytes : vertex_bytes);
-  if (texel) vertices = std::min(vertices, vulkan.limits.maxTexelBufferElements / std::size_t{layout::words_per_vertex});
+  if (texel)
+    vertices = std::min(vertices, vulkan.limits.maxTexelBufferElements / std::size_t{layout::words_per_vertex});
   vertices = std::min(vertices, vulkan.limits.maxComputeWorkGroupCount[0] * std::size_t{layout::workgroup_size});
   return std::max(vertices / chunk_granularity, std::size_t{1}) * chunk_granularity;
 }
@@ -102,7 +103,8 @@ void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const 
   const vk::raii::ShaderModule module = d.vulkan->shader(shader_code(options.bare ? bare : full));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                 options.bare ? nullptr : &special);
-  d.pipeline = vk::raii::Pipeline(d.vulkan->device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *d.pipeline_layout));
+  d.pipeline =
+      vk::raii::Pipeline(d.vulkan->device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *d.pipeline_layout));
 }
 
 /// Binds one chunk's part of the vertices and of the output, and all of the rest.
@@ -156,8 +158,9 @@ Result<void> check_ranges(const VulkanDevice& vulkan, const PackedCharacter& pac
   const std::size_t details = packed.details.size() * sizeof(Word);
   const std::size_t palette = mesh.palette.size() * layout::words_per_joint * sizeof(Word);
   if (details <= limit && palette <= limit) return {};
-  return bad_input("the character's joints, morph targets and muscle regions need {} bytes in one range, the device allows {}",
-                   std::max(details, palette), limit);
+  return bad_input(
+      "the character's joints, morph targets and muscle regions need {} bytes in one range, the device allows {}",
+      std::max(details, palette), limit);
 }
 
 }  // namespace
@@ -201,8 +204,8 @@ Result<GpuDeformer> GpuDeformer::create(Device& device, const CharacterMesh& mes
   impl->vulkan = &vulkan;
   impl->vertices = packed->vertex_count();
   impl->muscles.assign(muscles.begin(), muscles.end());
-  impl->texel = options.layout == BufferLayout::texel ||
-                (options.layout == BufferLayout::automatic && vulkan.info.cpu && fits);
+  impl->texel =
+      options.layout == BufferLayout::texel || (options.layout == BufferLayout::automatic && vulkan.info.cpu && fits);
   if (!impl->texel)
     if (auto ok = check_ranges(vulkan, *packed, mesh); !ok) return pass_on(std::move(ok));
   const std::size_t size = chunk_size(vulkan, impl->texel, options.largest_range);
@@ -222,13 +225,13 @@ void GpuDeformer::set_state(const GpuDeformState& state) {
   const std::span<float> weights = impl_->morph_weights.as<float>();
   for (std::size_t i = 0; i < state.morph_weights.size(); ++i) weights[i] = static_cast<float>(state.morph_weights[i]);
   const std::span<layout::MuscleWord> words = impl_->muscle_words.as<layout::MuscleWord>();
-  for (std::size_t i = 0; i < impl_->muscles.size(); ++i) words[i] = pack_muscle(impl_->muscles[i], state.activations[i]);
+  for (std::size_t i = 0; i < impl_->muscles.size(); ++i)
+    words[i] = pack_muscle(impl_->muscles[i], state.activations[i]);
 }
 
 Result<void> GpuDeformer::run() {
-  return vulkan_call("deforming", [&] {
-    impl_->vulkan->run([&](vk::raii::CommandBuffer& commands) { impl_->record(commands); });
-  });
+  return vulkan_call("deforming",
+                     [&] { impl_->vulkan->run([&](vk::raii::CommandBuffer& commands) { impl_->record(commands); }); });
 }
 
 Result<std::vector<Vec4f>> GpuDeformer::read_back() {

@@ -29,7 +29,7 @@ struct GpuDeformerOptions {
 struct GpuDeformState {
   std::span<const Mat34> palette;         ///< [mesh.palette] F_i, world space
   std::span<const double> morph_weights;  ///< [mesh.morph_slots]
-  std::span<const double> activations;    ///< [muscles] delta of body.md 6
+  std::span<const double> activations;    ///< [muscles] delta of engine/definitions.md 6
 };
 
 /// Skinned vertices on the device: position and bulge height, normal. Two words of 16 bytes a vertex.
@@ -50,8 +50,8 @@ class GpuDeformer {
   std::size_t dispatches() const;
   BufferLayout layout() const;
 
-  /// Writes a frame's palette, weights and activations where the next dispatch reads them. Must not run while the device
-  /// still works on the last frame.
+  /// Writes a frame's palette, weights and activations where the next dispatch reads them. Must not run while the
+  /// device still works on the last frame.
   void set_state(const GpuDeformState& state);
 
   /// Deforms in a submit of its own and waits.

@@ -126,8 +126,8 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
   }
   PackedCharacter packed = packer.finish();
   if (packed.details.size() > layout::link_mask)
-    return bad_input("the character's morph targets and muscle regions need {} words, {} is the most", packed.details.size(),
-                     layout::link_mask);
+    return bad_input("the character's morph targets and muscle regions need {} words, {} is the most",
+                     packed.details.size(), layout::link_mask);
   return packed;
 }
 

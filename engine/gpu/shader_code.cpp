@@ -12,12 +12,18 @@ namespace {
 
 std::span<const std::uint32_t> shader_code(Shader shader) {
   switch (shader) {
-    case Shader::deform_texel: return deform_texel;
-    case Shader::deform_storage: return deform_storage;
-    case Shader::deform_bare_texel: return deform_bare_texel;
-    case Shader::deform_bare_storage: return deform_bare_storage;
-    case Shader::surface_vertex: return surface_vertex;
-    case Shader::surface_fragment: return surface_fragment;
+    case Shader::deform_texel:
+      return deform_texel;
+    case Shader::deform_storage:
+      return deform_storage;
+    case Shader::deform_bare_texel:
+      return deform_bare_texel;
+    case Shader::deform_bare_storage:
+      return deform_bare_storage;
+    case Shader::surface_vertex:
+      return surface_vertex;
+    case Shader::surface_fragment:
+      return surface_fragment;
   }
   return {};
 }

@@ -10,8 +10,16 @@ using Layout = vk::ImageLayout;
 vk::ImageMemoryBarrier2 transition(const DeviceImage& image, vk::ImageAspectFlags aspect, Stage from_stage,
                                    vk::AccessFlags2 from_access, Stage to_stage, vk::AccessFlags2 to_access,
                                    Layout from, Layout to) {
-  return {from_stage, from_access, to_stage, to_access, from, to, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-          *image.image, vk::ImageSubresourceRange(aspect, 0, 1, 0, 1)};
+  return {from_stage,
+          from_access,
+          to_stage,
+          to_access,
+          from,
+          to,
+          VK_QUEUE_FAMILY_IGNORED,
+          VK_QUEUE_FAMILY_IGNORED,
+          *image.image,
+          vk::ImageSubresourceRange(aspect, 0, 1, 0, 1)};
 }
 
 }  // namespace
@@ -29,12 +37,12 @@ Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk:
   constexpr auto one = vk::SampleCountFlagBits::e1;
   target.colour = vulkan.create_image(info(colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc),
                                       vk::ImageAspectFlagBits::eColor);
-  target.depth = vulkan.create_image(info(depth_format, samples, Usage::eDepthStencilAttachment),
-                                     vk::ImageAspectFlagBits::eDepth);
+  target.depth =
+      vulkan.create_image(info(depth_format, samples, Usage::eDepthStencilAttachment), vk::ImageAspectFlagBits::eDepth);
   if (samples != one)
-    target.multisampled = vulkan.create_image(
-        info(colour_format, samples, Usage::eColorAttachment | Usage::eTransientAttachment),
-        vk::ImageAspectFlagBits::eColor);
+    target.multisampled =
+        vulkan.create_image(info(colour_format, samples, Usage::eColorAttachment | Usage::eTransientAttachment),
+                            vk::ImageAspectFlagBits::eColor);
   target.readback = vulkan.create_buffer(vk::DeviceSize{4} * width * height, vk::BufferUsageFlagBits::eTransferDst,
                                          MemoryUse::readback);
   return target;
@@ -45,8 +53,9 @@ void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<flo
   std::vector<vk::ImageMemoryBarrier2> barriers{
       transition(colour, vk::ImageAspectFlagBits::eColor, Stage::eCopy, Access::eNone, Stage::eColorAttachmentOutput,
                  Access::eColorAttachmentWrite, Layout::eUndefined, Layout::eColorAttachmentOptimal),
-      transition(depth, vk::ImageAspectFlagBits::eDepth, Stage::eLateFragmentTests, Access::eDepthStencilAttachmentWrite,
-                 Stage::eEarlyFragmentTests, depth_access, Layout::eUndefined, Layout::eDepthAttachmentOptimal)};
+      transition(depth, vk::ImageAspectFlagBits::eDepth, Stage::eLateFragmentTests,
+                 Access::eDepthStencilAttachmentWrite, Stage::eEarlyFragmentTests, depth_access, Layout::eUndefined,
+                 Layout::eDepthAttachmentOptimal)};
   if (*multisampled.image)
     barriers.push_back(transition(multisampled, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
                                   Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput,
@@ -83,9 +92,9 @@ void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<flo
 void Target::end(const vk::raii::CommandBuffer& commands) const { commands.endRendering(); }
 
 void Target::record_copy(const vk::raii::CommandBuffer& commands) const {
-  const auto to_source = transition(colour, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                                    Access::eColorAttachmentWrite, Stage::eCopy, Access::eTransferRead,
-                                    Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
+  const auto to_source =
+      transition(colour, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                 Stage::eCopy, Access::eTransferRead, Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
   commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, to_source));
   const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
   commands.copyImageToBuffer(*colour.image, Layout::eTransferSrcOptimal, *readback.buffer,

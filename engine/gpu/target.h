@@ -12,7 +12,7 @@ struct Target {
   DeviceImage colour;        ///< one sample, R8G8B8A8 holding sRGB numbers
   DeviceImage multisampled;  ///< the image that is drawn to where samples > 1
   DeviceImage depth;
-  Buffer readback;     ///< [height * width * 4] rows from the top
+  Buffer readback;  ///< [height * width * 4] rows from the top
 
   static constexpr vk::Format colour_format = vk::Format::eR8G8B8A8Unorm;
   static constexpr vk::Format depth_format = vk::Format::eD32Sfloat;

@@ -9,7 +9,8 @@ namespace {
 constexpr uint64_t submit_timeout_ns = 300ull * 1'000'000'000ull;
 
 /// The first memory type that a resource may use and that has the wanted properties, the wishes in order.
-uint32_t memory_type(const VulkanDevice& vulkan, uint32_t allowed, std::initializer_list<vk::MemoryPropertyFlags> wishes) {
+uint32_t memory_type(const VulkanDevice& vulkan, uint32_t allowed,
+                     std::initializer_list<vk::MemoryPropertyFlags> wishes) {
   const vk::PhysicalDeviceMemoryProperties memory = vulkan.physical.getMemoryProperties();
   for (const vk::MemoryPropertyFlags wish : wishes)
     for (uint32_t i = 0; i < memory.memoryTypeCount; ++i)
@@ -21,9 +22,12 @@ uint32_t memory_type(const VulkanDevice& vulkan, uint32_t allowed, MemoryUse use
   using Flag = vk::MemoryPropertyFlagBits;
   const vk::MemoryPropertyFlags visible = Flag::eHostVisible | Flag::eHostCoherent;
   switch (use) {
-    case MemoryUse::device: return memory_type(vulkan, allowed, {Flag::eDeviceLocal, {}});
-    case MemoryUse::upload: return memory_type(vulkan, allowed, {visible | Flag::eDeviceLocal, visible});
-    case MemoryUse::readback: return memory_type(vulkan, allowed, {visible | Flag::eHostCached, visible});
+    case MemoryUse::device:
+      return memory_type(vulkan, allowed, {Flag::eDeviceLocal, {}});
+    case MemoryUse::upload:
+      return memory_type(vulkan, allowed, {visible | Flag::eDeviceLocal, visible});
+    case MemoryUse::readback:
+      return memory_type(vulkan, allowed, {visible | Flag::eHostCached, visible});
   }
   throw vk::OutOfDeviceMemoryError("unknown memory use");
 }

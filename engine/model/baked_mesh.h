@@ -16,10 +16,10 @@ struct BakedFrame {
 
 /// One or more frames of the same triangles.
 struct BakedMesh {
-  std::vector<BakedFrame> frames;        ///< at least one
-  std::vector<double> times;             ///< [frames] seconds, rising
-  std::vector<std::uint32_t> triangles;  ///< three indices a triangle
-  std::vector<Vec2f> texture_coordinates;///< [vertices], or empty
+  std::vector<BakedFrame> frames;          ///< at least one
+  std::vector<double> times;               ///< [frames] seconds, rising
+  std::vector<std::uint32_t> triangles;    ///< three indices a triangle
+  std::vector<Vec2f> texture_coordinates;  ///< [vertices], or empty
 };
 
 }  // namespace sinew

@@ -40,7 +40,7 @@ struct MeshPart {
   bool mirrored = false;  ///< the rest pose turns its triangles inside out (a negative scale)
 };
 
-/// Every vertex of every triangle primitive once, in the order that product.md gives for `export`: nodes depth first,
+/// Every vertex of every triangle primitive once, in the order that `export` writes them: nodes depth first,
 /// children in order, primitives in order, a primitive's vertices as the file has them. A mesh that two nodes draw
 /// stands twice.
 struct CharacterMesh {
@@ -52,11 +52,11 @@ struct CharacterMesh {
   std::vector<MeshPart> parts;
   std::vector<PaletteSource> palette;
   std::vector<MorphSlot> morph_slots;
-  std::vector<std::uint32_t> morph_first; ///< [vertices + 1] where each vertex's run starts in `morph_deltas`
+  std::vector<std::uint32_t> morph_first;  ///< [vertices + 1] where each vertex's run starts in `morph_deltas`
   std::vector<MorphDelta> morph_deltas;
 
   std::size_t vertices() const { return positions.size(); }
-  /// The node that vertex `v` follows most: its bone in the sense of body.md 6.
+  /// The node that vertex `v` follows most: its bone in the sense of engine/definitions.md 6.
   int bone(std::size_t v) const { return palette[influences.entries[influences.first[v]].joint].node; }
 };
 

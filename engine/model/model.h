@@ -19,9 +19,9 @@ struct Influence {
 
 constexpr std::size_t max_influences = 8;
 
-/// The influences of all vertices, one run after another. In a run no joint stands twice, weights fall, and equal weights
-/// stand in the order of the joint list: the first is the vertex's bone (body.md 6). A run may be empty: such a vertex
-/// follows its mesh's node.
+/// The influences of all vertices, one run after another. In a run no joint stands twice, weights fall, and equal
+/// weights stand in the order of the joint list: the first is the vertex's bone (engine/definitions.md 6). A run may be
+/// empty: such a vertex follows its mesh's node.
 struct Influences {
   std::vector<std::uint32_t> first{0};  ///< [vertices + 1] where each vertex's run starts in `entries`
   std::vector<Influence> entries;
@@ -43,19 +43,19 @@ struct MorphTarget {
 
 /// Triangles that share a material.
 struct Primitive {
-  std::vector<Vec3> positions;         ///< [vertices] bind pose, model units
-  std::vector<Vec3> normals;           ///< [vertices] unit length, never empty
+  std::vector<Vec3> positions;            ///< [vertices] bind pose, model units
+  std::vector<Vec3> normals;              ///< [vertices] unit length, never empty
   std::vector<Vec2> texture_coordinates;  ///< [vertices] of the base colour texture's set, or empty
-  Influences influences;               ///< vertices() == vertices, joints of the skin; or vertices() == 0: unskinned
-  std::vector<std::uint32_t> indices;  ///< three a triangle
+  Influences influences;                  ///< vertices() == vertices, joints of the skin; or vertices() == 0: unskinned
+  std::vector<std::uint32_t> indices;     ///< three a triangle
   std::vector<MorphTarget> morph_targets;
-  int material = -1;                   ///< index into Model::materials, -1: the default
+  int material = -1;  ///< index into Model::materials, -1: the default
 };
 
 struct Mesh {
   std::string name;
-  std::vector<Primitive> primitives;   ///< all with the same number of morph targets
-  std::vector<double> morph_weights;   ///< default weight of each morph target
+  std::vector<Primitive> primitives;  ///< all with the same number of morph targets
+  std::vector<double> morph_weights;  ///< default weight of each morph target
 };
 
 /// A place in the hierarchy; a joint is a node that a skin names.
@@ -63,19 +63,19 @@ struct Node {
   std::string name;
   int parent = -1;
   std::vector<int> children;
-  Transform rest;                      ///< local transform of the file's rest pose
-  std::optional<Mat4> matrix;          ///< set only where the file's local matrix has shear, which `rest` cannot hold
+  Transform rest;              ///< local transform of the file's rest pose
+  std::optional<Mat4> matrix;  ///< set only where the file's local matrix has shear, which `rest` cannot hold
   int mesh = -1;
-  int skin = -1;                       ///< only where mesh >= 0
-  std::vector<double> morph_weights;   ///< overrides the mesh's, or empty
+  int skin = -1;                      ///< only where mesh >= 0
+  std::vector<double> morph_weights;  ///< overrides the mesh's, or empty
 
   Mat4 rest_local() const { return matrix ? *matrix : rest.matrix(); }
 };
 
 struct Skin {
   std::string name;
-  std::vector<int> joints;             ///< distinct node indices
-  std::vector<Mat4> inverse_bind;      ///< [joints] bind pose to joint space
+  std::vector<int> joints;         ///< distinct node indices
+  std::vector<Mat4> inverse_bind;  ///< [joints] bind pose to joint space
 };
 
 enum class Interpolation { step, linear, cubic_spline };
@@ -86,15 +86,16 @@ struct Channel {
   int node = -1;
   ChannelPath path = ChannelPath::translation;
   Interpolation interpolation = Interpolation::linear;
-  std::size_t width = 3;               ///< numbers a key: 3, 4 (x, y, z, w), or the number of morph targets
-  std::vector<double> times;           ///< [keys] seconds, strictly rising
-  std::vector<double> values;          ///< [keys * width], or [keys * 3 * width] for cubic_spline: in-tangent, value, out-tangent
+  std::size_t width = 3;      ///< numbers a key: 3, 4 (x, y, z, w), or the number of morph targets
+  std::vector<double> times;  ///< [keys] seconds, strictly rising
+  std::vector<double>
+      values;  ///< [keys * width], or [keys * 3 * width] for cubic_spline: in-tangent, value, out-tangent
 };
 
 struct Clip {
   std::string name;
   std::vector<Channel> channels;
-  double duration = 0.0;               ///< seconds: the last key of any channel
+  double duration = 0.0;  ///< seconds: the last key of any channel
 };
 
 enum class AlphaMode { opaque, mask, blend };
@@ -102,8 +103,8 @@ enum class Wrap { repeat, clamp, mirror };
 
 struct Material {
   std::string name;
-  Vec4 base_colour{1.0};               ///< linear RGBA factor
-  int base_colour_image = -1;          ///< index into Model::images, -1: none
+  Vec4 base_colour{1.0};       ///< linear RGBA factor
+  int base_colour_image = -1;  ///< index into Model::images, -1: none
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   bool nearest_filter = false;
   bool double_sided = false;
@@ -114,20 +115,20 @@ struct Material {
 /// A picture as the file stores it, not yet decoded.
 struct EncodedImage {
   std::string name;
-  std::vector<unsigned char> bytes;    ///< PNG or JPEG; empty where it could not be found (Model::problems says so)
+  std::vector<unsigned char> bytes;  ///< PNG or JPEG; empty where it could not be found (Model::problems says so)
 };
 
 struct Model {
-  std::string file;                    ///< as it was asked for, for messages
+  std::string file;  ///< as it was asked for, for messages
   std::vector<Node> nodes;
-  std::vector<int> roots;              ///< of the scene that is shown, in its order
+  std::vector<int> roots;  ///< of the scene that is shown, in its order
   std::vector<Mesh> meshes;
   std::vector<Skin> skins;
   std::vector<Clip> clips;
   std::vector<Material> materials;
   std::vector<EncodedImage> images;
-  std::map<std::string, int> vrm_bones;///< humanoid name (VRM 1.0 spelling) -> node, from the file's own VRM map
-  std::vector<std::string> problems;   ///< what was repaired, cut or left out on reading, for people
+  std::map<std::string, int> vrm_bones;  ///< humanoid name (VRM 1.0 spelling) -> node, from the file's own VRM map
+  std::vector<std::string> problems;     ///< what was repaired, cut or left out on reading, for people
 };
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 #pragma once
-/// A muscle with every number resolved: body.md 6.
+/// A muscle with every number resolved: engine/definitions.md 6.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
-/// A scene: which models, muscles, expressions, motions, camera and look to use over which time (product.md, "Scene
-/// file"). Plain data as a file or a program states it; joint names and muscle measures are not resolved yet.
-/// Frames are numbers of frames, time = frame / fps. Lengths in world units, angles in degrees.
+/// A scene: which models, muscles, expressions, motions, camera and look to use over which time
+/// (scenes/README.md). Plain data as a file or a program states it; joint names and muscle measures are not resolved
+/// yet. Frames are numbers of frames, time = frame / fps. Lengths in world units, angles in degrees.
 
 #include <cstdint>
 #include <filesystem>
@@ -30,7 +30,7 @@ struct Colour {
 };
 
 /// A muscle as it is stated: what is absent comes from the preset, or where there is none from the rest pose
-/// (body.md 6 and 7). Without a preset all but driver, tip and rest_angle are there.
+/// (engine/definitions.md 6 and 7). Without a preset all but driver, tip and rest_angle are there.
 struct MuscleSpec {
   std::optional<MusclePreset> preset;
   std::optional<MuscleSide> side;         ///< there exactly where a preset is

@@ -94,8 +94,8 @@ Picture difference_picture(const Picture& a, const Picture& b) {
   Picture result{a.width, a.height, std::vector<std::uint8_t>(a.rgba.size(), 255)};
   for (std::size_t pixel = 0; pixel < a.rgba.size(); pixel += 4)
     for (std::size_t c = 0; c < 3; ++c)
-      result.rgba[pixel + c] = static_cast<std::uint8_t>(
-          std::min(255, amplification * std::abs(a.rgba[pixel + c] - b.rgba[pixel + c])));
+      result.rgba[pixel + c] =
+          static_cast<std::uint8_t>(std::min(255, amplification * std::abs(a.rgba[pixel + c] - b.rgba[pixel + c])));
   return result;
 }
 

@@ -17,9 +17,8 @@ vk::raii::Pipeline create_pipeline(VulkanDevice& vulkan, vk::PipelineLayout layo
                                    Blending blending) {
   const vk::raii::ShaderModule vertex = vulkan.shader(shader_code(Shader::surface_vertex));
   const vk::raii::ShaderModule fragment = vulkan.shader(shader_code(Shader::surface_fragment));
-  const std::array stages{
-      vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"),
-      vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main")};
+  const std::array stages{vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"),
+                          vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main")};
   const std::array bindings{vk::VertexInputBindingDescription(0, layout::words_per_output * 16),
                             vk::VertexInputBindingDescription(1, sizeof(Vec2f))};
   const std::array attributes{vk::VertexInputAttributeDescription(0, 0, vk::Format::eR32G32B32A32Sfloat, 0),
@@ -100,11 +99,13 @@ struct Renderer::Impl {
 void Renderer::Impl::create(const RendererOptions& options) {
   const vk::raii::Device& d = vulkan->device;
   const auto samples = options.samples == 4 ? vk::SampleCountFlagBits::e4 : vk::SampleCountFlagBits::e1;
-  target = Target::create(*vulkan, static_cast<uint32_t>(options.width), static_cast<uint32_t>(options.height), samples);
-  frame_buffer = vulkan->create_buffer(sizeof(layout::FrameUniforms), vk::BufferUsageFlagBits::eUniformBuffer,
-                                       MemoryUse::upload);
+  target =
+      Target::create(*vulkan, static_cast<uint32_t>(options.width), static_cast<uint32_t>(options.height), samples);
+  frame_buffer =
+      vulkan->create_buffer(sizeof(layout::FrameUniforms), vk::BufferUsageFlagBits::eUniformBuffer, MemoryUse::upload);
   const auto both = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-  const vk::DescriptorSetLayoutBinding frame_binding(layout::binding_frame, vk::DescriptorType::eUniformBuffer, 1, both);
+  const vk::DescriptorSetLayoutBinding frame_binding(layout::binding_frame, vk::DescriptorType::eUniformBuffer, 1,
+                                                     both);
   frame_layout = vk::raii::DescriptorSetLayout(d, vk::DescriptorSetLayoutCreateInfo({}, frame_binding));
   const std::array material_bindings{
       vk::DescriptorSetLayoutBinding(layout::binding_material, vk::DescriptorType::eUniformBuffer, 1, both),
@@ -112,9 +113,9 @@ void Renderer::Impl::create(const RendererOptions& options) {
   material_layout = vk::raii::DescriptorSetLayout(d, vk::DescriptorSetLayoutCreateInfo({}, material_bindings));
   const vk::DescriptorPoolSize size(vk::DescriptorType::eUniformBuffer, 1);
   descriptor_pool = vk::raii::DescriptorPool(d, vk::DescriptorPoolCreateInfo({}, 1, size));
-  frame_set = (*d).allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*descriptor_pool, *frame_layout),
-                                          *d.getDispatcher())
-                  .front();
+  frame_set =
+      (*d).allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*descriptor_pool, *frame_layout), *d.getDispatcher())
+          .front();
   const vk::DescriptorBufferInfo whole(*frame_buffer.buffer, 0, VK_WHOLE_SIZE);
   d.updateDescriptorSets(
       vk::WriteDescriptorSet(frame_set, layout::binding_frame, 0, vk::DescriptorType::eUniformBuffer, {}, whole), {});
@@ -166,8 +167,8 @@ Renderer::~Renderer() = default;
 
 Result<Renderer> Renderer::create(Device& device, const RendererOptions& options) {
   const vk::PhysicalDeviceLimits& limits = device.vulkan().limits;
-  const auto largest = static_cast<int>(std::min({limits.maxFramebufferWidth, limits.maxFramebufferHeight,
-                                                  limits.maxImageDimension2D}));
+  const auto largest =
+      static_cast<int>(std::min({limits.maxFramebufferWidth, limits.maxFramebufferHeight, limits.maxImageDimension2D}));
   if (options.width > largest || options.height > largest)
     return bad_input("--size {}x{}: this device makes pictures of up to {}x{}", options.width, options.height, largest,
                      largest);

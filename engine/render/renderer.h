@@ -28,16 +28,16 @@ struct Shot {
 /// Draws any number of characters into one picture. A frame is set_state() of every character, then draw().
 class Renderer {
  public:
-  /// Fails as bad_input where the device cannot make pictures of this size or sample count, as device_failed where there is
-  /// no memory. The device must outlive the renderer.
+  /// Fails as bad_input where the device cannot make pictures of this size or sample count, as device_failed where
+  /// there is no memory. The device must outlive the renderer.
   static Result<Renderer> create(Device& device, const RendererOptions& options);
 
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Uploads a character with its materials and textures; its number is the order of the calls. A texture that cannot be
-  /// decoded is shown as white and named in `problems`. With Deformer::rigid each triangle follows one bone.
+  /// Uploads a character with its materials and textures; its number is the order of the calls. A texture that cannot
+  /// be decoded is shown as white and named in `problems`. With Deformer::rigid each triangle follows one bone.
   Result<void> add_character(const Model& model, const CharacterMesh& mesh, const RestShape& rest,
                              std::span<const PlacedMuscle> muscles, const GpuDeformerOptions& options,
                              std::vector<std::string>& problems);

@@ -38,11 +38,11 @@ DeviceImage upload_texture(VulkanDevice& vulkan, const std::vector<Picture>& lev
   using Usage = vk::ImageUsageFlagBits;
   const auto width = static_cast<uint32_t>(levels[0].width), height = static_cast<uint32_t>(levels[0].height);
   const auto count = static_cast<uint32_t>(levels.size());
-  DeviceImage image = vulkan.create_image(
-      vk::ImageCreateInfo({}, vk::ImageType::e2D, texture_format, vk::Extent3D(width, height, 1), count, 1,
-                          vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                          Usage::eSampled | Usage::eTransferDst),
-      vk::ImageAspectFlagBits::eColor);
+  DeviceImage image =
+      vulkan.create_image(vk::ImageCreateInfo({}, vk::ImageType::e2D, texture_format, vk::Extent3D(width, height, 1),
+                                              count, 1, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                                              Usage::eSampled | Usage::eTransferDst),
+                          vk::ImageAspectFlagBits::eColor);
   std::vector<std::uint8_t> bytes;
   std::vector<vk::BufferImageCopy> copies;
   for (uint32_t level = 0; level < count; ++level) {
@@ -74,9 +74,12 @@ DeviceImage upload_texture(VulkanDevice& vulkan, const std::vector<Picture>& lev
 
 vk::SamplerAddressMode address_mode(Wrap wrap) {
   switch (wrap) {
-    case Wrap::repeat: return vk::SamplerAddressMode::eRepeat;
-    case Wrap::clamp: return vk::SamplerAddressMode::eClampToEdge;
-    case Wrap::mirror: return vk::SamplerAddressMode::eMirroredRepeat;
+    case Wrap::repeat:
+      return vk::SamplerAddressMode::eRepeat;
+    case Wrap::clamp:
+      return vk::SamplerAddressMode::eClampToEdge;
+    case Wrap::mirror:
+      return vk::SamplerAddressMode::eMirroredRepeat;
   }
   return vk::SamplerAddressMode::eRepeat;
 }
@@ -99,7 +102,8 @@ Picture base_colour_picture(const Model& model, const Material& material, std::v
   if (encoded.bytes.empty()) return white;
   auto decoded = decode_image(encoded.bytes);
   if (!decoded) {
-    problems.push_back(fmt::format("images/{}: {}; shown as white", material.base_colour_image, decoded.error().message));
+    problems.push_back(
+        fmt::format("images/{}: {}; shown as white", material.base_colour_image, decoded.error().message));
     return white;
   }
   return std::move(*decoded);

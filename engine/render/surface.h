@@ -1,6 +1,6 @@
 #pragma once
-/// What drawing one character takes besides its deformed vertices: triangles, texture coordinates, materials. Vulkan types
-/// inside: engine/render only.
+/// What drawing one character takes besides its deformed vertices: triangles, texture coordinates, materials. Vulkan
+/// types inside: engine/render only.
 
 #include "engine/gpu/gpu_deformer_impl.h"
 

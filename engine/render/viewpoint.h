@@ -17,8 +17,8 @@ struct Viewpoint {
   Mat4 view_projection(double aspect) const;
 };
 
-/// A direction to look from: degrees the camera is turned counter-clockwise about +Y seen from above (0: it stands on +Z,
-/// 90: on +X, the character's own left), and degrees it is raised.
+/// A direction to look from: degrees the camera is turned counter-clockwise about +Y seen from above (0: it stands on
+/// +Z, 90: on +X, the character's own left), and degrees it is raised.
 struct ViewDirection {
   double azimuth = 0.0;
   double elevation = 0.0;

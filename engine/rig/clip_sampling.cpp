@@ -74,9 +74,14 @@ void sample_clip(const Clip& clip, double seconds, Pose& pose) {
     }
     const std::vector<double> numbers = sampler.numbers();
     switch (channel.path) {
-      case ChannelPath::translation: local.translation = {numbers[0], numbers[1], numbers[2]}; break;
-      case ChannelPath::scale: local.scale = {numbers[0], numbers[1], numbers[2]}; break;
-      default: pose.morph_weights[channel.node] = numbers;
+      case ChannelPath::translation:
+        local.translation = {numbers[0], numbers[1], numbers[2]};
+        break;
+      case ChannelPath::scale:
+        local.scale = {numbers[0], numbers[1], numbers[2]};
+        break;
+      default:
+        pose.morph_weights[channel.node] = numbers;
     }
   }
 }

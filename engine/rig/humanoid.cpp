@@ -48,7 +48,7 @@ std::vector<std::string> names_of(std::span<const HumanoidBone> bones) {
   return names;
 }
 
-/// Left and right are the character's own (product.md). Arms that contradict the legs follow them; then, where toes and
+/// Left and right are the character's own. Arms that contradict the legs follow them; then, where toes and
 /// knees point backwards, the names were the viewer's and all are exchanged.
 void correct_sides(const JointTree& tree, Humanoid& humanoid) {
   const auto across = [&](HumanoidBone left) {

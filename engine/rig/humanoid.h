@@ -31,9 +31,9 @@ struct Humanoid {
 };
 
 /// The humanoid of a model. The file's own VRM map is believed where it is complete; else names fill its gaps, each
-/// candidate checked against hierarchy and rest pose (conventions.md 1.4); where names do not suffice, the shape alone
-/// decides if it leaves no choice. What stands on four legs has no humanoid bones at all.
-/// `rest_global`: [nodes] global transforms of the rest pose.
+/// candidate checked against hierarchy and rest pose (engine/definitions.md 8); where names do not suffice, the shape
+/// alone decides if it leaves no choice. What stands on four legs has no humanoid bones at all. `rest_global`: [nodes]
+/// global transforms of the rest pose.
 Humanoid find_humanoid(const Model& model, std::span<const Mat4> rest_global);
 
 /// Unit directions of the body in the rest pose, measured from the joints, whichever way the model stands, faces or

@@ -46,9 +46,9 @@ struct NameReading {
 };
 
 /// Reads names of VRM, Unity, Godot, H-Anim 1 and 2, Mixamo, MakeHuman, Unreal, Blender and Rigify, Biped, BVH files
-/// (CMU and others), Poser, Daz, Reallusion, Quaternius and KayKit: conventions.md 1.4. Namespaces, exporters' prefixes
-/// and counters, separators and letter case do not matter. Only whole names are known, so that controls, twist and tip
-/// bones
+/// (CMU and others), Poser, Daz, Reallusion, Quaternius and KayKit: engine/definitions.md 8. Namespaces, exporters'
+/// prefixes and counters, separators and letter case do not matter. Only whole names are known, so that controls, twist
+/// and tip bones
 /// ("control-foot-roll.l", "Head_end") mean nothing.
 std::optional<NameReading> read_joint_name(std::string_view name);
 

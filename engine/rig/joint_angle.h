@@ -1,5 +1,5 @@
 #pragma once
-/// The angle of a bent joint, as body.md 6 defines it for the joint that drives a muscle.
+/// The angle of a bent joint, as engine/definitions.md 6 defines it for the joint that drives a muscle.
 
 #include <optional>
 #include <span>
@@ -18,11 +18,12 @@ struct JointAngle {
   double degrees(std::span<const Mat4> global) const;
 };
 
-/// The angle at `driver`: to its humanoid parent (else its parent node), and to `tip` where it is given, else to the next
-/// joint of the humanoid chain, else to its only or first child. Nothing where either neighbour is missing.
+/// The angle at `driver`: to its humanoid parent (else its parent node), and to `tip` where it is given, else to the
+/// next joint of the humanoid chain, else to its only or first child. Nothing where either neighbour is missing.
 std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& humanoid, int driver, int tip = -1);
 
-/// delta of body.md 6: 0 at the rest angle, 1 at the reference angle, linear beyond it, never negative; 0 below 1e-9.
+/// delta of engine/definitions.md 6: 0 at the rest angle, 1 at the reference angle, linear beyond it, never negative; 0
+/// below 1e-9.
 double muscle_activation(double angle, double rest_angle, double reference_angle);
 
 }  // namespace sinew

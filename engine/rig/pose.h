@@ -1,5 +1,6 @@
 #pragma once
-/// Forward kinematics: local transforms and morph weights to global transforms and the skin's palette. body.md 1.
+/// Forward kinematics: local transforms and morph weights to global transforms and the skin's palette.
+/// engine/definitions.md 1.
 
 #include <span>
 #include <vector>
@@ -26,7 +27,7 @@ std::vector<Mat4> global_transforms(const Model& model, std::span<const int> ord
 std::vector<Quat> rest_rotations(const Model& model, std::span<const int> order);
 
 /// Sets a node to its rest rotation turned by `degrees` about the model's x, y, z axes (x first), whatever the joint's
-/// own axes are: the new local rotation is W^-1 R W q (product.md, "A joint key's three numbers").
+/// own axes are: the new local rotation is W^-1 R W q (scenes/README.md, "Joint keys").
 void turn_joint(const Model& model, std::span<const Quat> rest_rotations, int node, const Vec3& degrees, Pose& pose);
 
 /// Final transforms F_i = C_i B_i of a mesh's palette, [palette], moved by `placement` (model to world).

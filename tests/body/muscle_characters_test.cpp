@@ -1,4 +1,4 @@
-/// The default muscles on real characters: the figures of body.md 7.
+/// The default muscles on real characters: the figures of engine/definitions.md 7.
 
 #include <algorithm>
 #include <filesystem>
@@ -41,7 +41,7 @@ double centre_of(const PlacedMuscle& placed) {
   return glm::dot(placed.region.centre - plane.bone, plane.axis) / plane.length;
 }
 
-/// r of body.md 7, once more: the segment's nodes are listed by hand.
+/// r of engine/definitions.md 7, once more: the segment's nodes are listed by hand.
 double radius_of(const Fleshed& body, const PlacedMuscle& placed, std::initializer_list<const char*> segment) {
   const ProjectionPlane& plane = placed.region.plane;
   double sum = 0.0;

@@ -42,7 +42,7 @@ TEST_F(Placement, APresetsNumbersAreInUnitsOfTheLimb) {
     double from, to, spread, peak_radii, along_lengths, across_radii, reference_angle, radius;
     const char *bone, *child, *tip;
   };
-  // body.md 7
+  // engine/definitions.md 7
   for (const Case& c :
        {Case{MusclePreset::biceps, 1.0 / 3.0, 1.0, 75, 0.30, 0.20, 0.70, 35, arm_radius, "UpperArm", "LowerArm",
              "Hand"},

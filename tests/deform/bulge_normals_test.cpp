@@ -121,8 +121,8 @@ TEST(BulgeNormals, FollowTheGradientOfTheHeight) {
 }
 
 TEST(BulgeNormals, HoldTheFadesOfSpreadAndShare) {
-  // Only x, y and t have slopes (body.md 6). On a limb so wide that all of it lies in the spread's fade, the height
-  // also changes with the angle; the normal is that of a height that does not.
+  // Only x, y and t have slopes (engine/definitions.md 6). On a limb so wide that all of it lies in the spread's fade,
+  // the height also changes with the angle; the normal is that of a height that does not.
   const TestCharacter limb(patch({.surface = round_limb, .low = {0.01, 0.3}, .high = {0.05, 0.7}}));
   Muscle muscle = patch_muscle();
   muscle.spread = 15;

@@ -39,7 +39,8 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-/// body.md 6, written down once more and without a step of the engine's: the fades as polynomials of clamped numbers.
+/// engine/definitions.md 6, written down once more and without a step of the engine's: the fades as polynomials of
+/// clamped numbers.
 double expected_height(const Muscle& m, const RegionVertex& v, double delta, BulgeMode mode) {
   const auto ease = [](double x) { return x <= 0 ? 0.0 : x >= 1 ? 1.0 : x * x * x + 3.0 * x * x * (1.0 - x); };
   const double gauss =

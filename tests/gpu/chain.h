@@ -24,8 +24,8 @@ struct Chain {
 
 constexpr int chain_joints = 10;
 
-/// Joints stand at y = 0, 0.2, ... 1.8. Each vertex follows the `influences` nearest joints, weights random but smooth in
-/// nothing: the worst case for a packing. Two morph targets move every third vertex.
+/// Joints stand at y = 0, 0.2, ... 1.8. Each vertex follows the `influences` nearest joints, weights random but smooth
+/// in nothing: the worst case for a packing. Two morph targets move every third vertex.
 inline Chain make_chain(std::size_t influences, bool morphs = true) {
   Chain chain;
   Model& model = chain.model;
@@ -118,8 +118,8 @@ inline ChainState chain_state(const Chain& chain, ChainPose kind) {
   state.palette = palette_transforms(chain.mesh, global);
   state.morph_weights = morph_slot_weights(chain.mesh, pose);
   for (const PlacedMuscle& placed : chain.muscles)
-    state.activations.push_back(muscle_activation(placed.driver.degrees(global), placed.muscle.rest_angle,
-                                                  placed.muscle.reference_angle));
+    state.activations.push_back(
+        muscle_activation(placed.driver.degrees(global), placed.muscle.rest_angle, placed.muscle.reference_angle));
   return state;
 }
 

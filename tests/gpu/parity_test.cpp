@@ -11,9 +11,9 @@
 namespace sinew::test {
 namespace {
 
-constexpr double position_tolerance = 1e-5;        // of the box's diagonal: the promise of `sinew parity`
-constexpr double normal_tolerance_degrees = 0.1;   // likewise
-constexpr double singular_tolerance_degrees = 2.0; // where the blend all but collapses, normals are ill-conditioned
+constexpr double position_tolerance = 1e-5;         // of the box's diagonal: the promise of `sinew parity`
+constexpr double normal_tolerance_degrees = 0.1;    // likewise
+constexpr double singular_tolerance_degrees = 2.0;  // where the blend all but collapses, normals are ill-conditioned
 
 std::vector<Vec4f> deform_on_device(const Chain& chain, const ChainState& state, const GpuDeformerOptions& options) {
   auto deformer = GpuDeformer::create(device(), chain.mesh, chain.rest, chain.muscles, options);
@@ -167,7 +167,8 @@ TEST_F(Mutants, WeightsOfEightBitsAreSeen) {
   Chain coarse = chain_;
   for (Influence& influence : coarse.mesh.influences.entries)
     influence.weight = std::round(influence.weight * 255.0) / 255.0;
-  const Errors e = errors(reference(chain_, state_, Deformer::ssd, BulgeMode::on), deform_on_device(coarse, state_, {}));
+  const Errors e =
+      errors(reference(chain_, state_, Deformer::ssd, BulgeMode::on), deform_on_device(coarse, state_, {}));
   EXPECT_GT(e.position, position_tolerance);
 }
 

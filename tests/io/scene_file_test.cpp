@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 const fs::path scenes = fs::path(__FILE__).parent_path() / "../../scenes";
 
-/// The example of product.md.
+/// A scene with most of what there is.
 const std::string example = R"({ "sinew": 1, "fps": 24, "frames": [0, 47],
   "characters": [ {
       "model": "arm.glb", "clip": "Walk", "position": [0, 0, 0], "turn": 0, "count": 1,

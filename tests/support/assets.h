@@ -17,11 +17,11 @@ bool assets_required();
 }  // namespace sinew::test
 
 /// Declares `name` as the assets' folder, or leaves the test: SKIPPED loudly, or failed where they are required.
-#define SINEW_ASSETS_OR_SKIP(name)                                                                           \
-  const auto name##_found = ::sinew::test::assets();                                                         \
-  if (!name##_found) {                                                                                       \
-    if (::sinew::test::assets_required())                                                                    \
-      FAIL() << "SINEW_REQUIRE_ASSETS is 1, but SINEW_ASSETS does not name a folder with test characters";   \
-    GTEST_SKIP() << "SKIPPED: needs real characters; set SINEW_ASSETS to their folder to run this test";     \
-  }                                                                                                          \
+#define SINEW_ASSETS_OR_SKIP(name)                                                                         \
+  const auto name##_found = ::sinew::test::assets();                                                       \
+  if (!name##_found) {                                                                                     \
+    if (::sinew::test::assets_required())                                                                  \
+      FAIL() << "SINEW_REQUIRE_ASSETS is 1, but SINEW_ASSETS does not name a folder with test characters"; \
+    GTEST_SKIP() << "SKIPPED: needs real characters; set SINEW_ASSETS to their folder to run this test";   \
+  }                                                                                                        \
   const std::filesystem::path name = *name##_found
