@@ -273,6 +273,8 @@ Result<Stage> open_stage(const SceneOptions& options) {
   Stage stage;
   stage.source = options.scene.empty() ? "the embedded scene" : options.scene;
   stage.scene = std::move(opened->scene);
+  if (stage.scene.look.shading == Shading::weights)
+    stage.problems.push_back(fmt::format("{}: /look/shading: \"weights\" is not shown yet", stage.source));
   if (stage.scene.library) stage.problems.push_back(fmt::format("{}: \"library\" is not used yet", stage.source));
   stage.is_scene = !opened->bare_model;
   stage.strength = options.strength;
