@@ -64,7 +64,9 @@ int FilmTrack::open_muxer(const FilmKind& kind, const FilmTrackOptions& options)
   muxer_->flags |= AVFMT_FLAG_BITEXACT;
   if (const int error = avio_open(&muxer_->pb, muxer_->url, AVIO_FLAG_WRITE); error < 0) return error;
   AvOptions muxer_options(kind.muxer_options);
-  return avformat_write_header(muxer_.get(), muxer_options.get());
+  const int error = avformat_write_header(muxer_.get(), muxer_options.get());
+  muxer_.get_deleter().owes_trailer = error >= 0;
+  return error;
 }
 
 Result<void> FilmTrack::encode(AVFrame& frame) {
@@ -99,6 +101,7 @@ int FilmTrack::complete(std::int64_t last_duration) {
   if (const int error = send(nullptr); error < 0) return error;
   // Only .gif has it, and asks for it at the very end; the others go by the packet's duration.
   av_opt_set_int(muxer_->priv_data, "final_delay", last_duration, 0);
+  muxer_.get_deleter().owes_trailer = false;
   if (const int error = av_write_trailer(muxer_.get()); error < 0) return error;
   // A late write error stands in `pb` alone.
   const int late = muxer_->pb->error;
@@ -106,7 +109,8 @@ int FilmTrack::complete(std::int64_t last_duration) {
   return late < 0 ? late : closed;
 }
 
-void FilmTrack::CloseMuxer::operator()(AVFormatContext* muxer) const {
+void CloseMuxer::operator()(AVFormatContext* muxer) const {
+  if (owes_trailer) av_write_trailer(muxer);
   avio_closep(&muxer->pb);
   avformat_free_context(muxer);
 }

@@ -17,6 +17,13 @@ struct FilmTrackOptions {
   bool alpha = false;
 };
 
+/// Closes a muxer and the file that it writes to.
+struct CloseMuxer {
+  /// Muxers let go of what they hold back only with the trailer, a dropped film's as well.
+  bool owes_trailer = false;
+  void operator()(AVFormatContext* muxer) const;
+};
+
 /// Every failure is cannot_write, and leaves a track that can only be dropped.
 class FilmTrack {
  public:
@@ -29,11 +36,6 @@ class FilmTrack {
   Result<void> finish(std::int64_t last_duration);
 
  private:
-  /// A muxer and the file that it writes to.
-  struct CloseMuxer {
-    void operator()(AVFormatContext* muxer) const;
-  };
-
   FilmTrack(const std::filesystem::path& file, HiddenFile hidden) : file_(file), hidden_(std::move(hidden)) {}
   int open(const FilmKind& kind, const FilmTrackOptions& options);
   int open_encoder(const FilmKind& kind, const FilmTrackOptions& options);
