@@ -3,6 +3,7 @@
 #include "engine/core/files.h"
 #include "engine/core/frame_range.h"
 #include "engine/core/interrupt.h"
+#include "engine/core/temporary_file.h"
 #include "engine/core/text.h"
 #include "engine/gpu/gpu_deformer.h"
 #include "engine/io/gltf_write.h"
@@ -133,6 +134,7 @@ Result<BakeReport> bake(Device* device, const Stage& stage, const BakeOptions& o
   const std::vector<int> frames = selected_frames(stage, options.scene, !pattern);
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
   if (auto ok = check_not_an_input(stage, options.output); !ok) return pass_on(std::move(ok));
+  remove_stale_temporaries(options.output);
   if (options.rig) return write_rig(stage, options);
   if (!pattern) {
     auto mesh = bake_frames(device, stage, options, frames);

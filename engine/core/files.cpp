@@ -1,16 +1,16 @@
 #include "engine/core/files.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 
 #include <openssl/evp.h>
+
+#include "engine/core/temporary_file.h"
 
 namespace sinew {
 namespace {
@@ -58,17 +58,6 @@ Result<void> write_device(const fs::path& file, std::span<const unsigned char> d
 
 }  // namespace
 
-fs::path temporary_beside(const fs::path& file) {
-  static std::atomic<unsigned> counter{0};
-  std::error_code error;
-  fs::path path;
-  // A killed program may have left a temporary, and its process number may come again.
-  do {
-    path = file.parent_path() / fmt::format(".{}.{}-{}.part", file.filename().string(), ::getpid(), counter++);
-  } while (fs::exists(path, error));
-  return path;
-}
-
 Result<Bytes> read_file(const fs::path& file, std::size_t limit) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -92,17 +81,10 @@ Result<void> write_file(const fs::path& file, std::span<const unsigned char> dat
   if (fs::is_directory(file, error))
     return failure(ErrorKind::cannot_write, "{}: is a folder; name a file in it", file.string());
 
-  const fs::path temporary = temporary_beside(file);
-  Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!out.open()) return failure(ErrorKind::cannot_write, "{}: cannot be created: {}", file.string(), reason());
-  const bool complete = write_all(out.number(), data) && ::fsync(out.number()) == 0 && out.close() &&
-                        ::rename(temporary.c_str(), file.c_str()) == 0;
-  if (!complete) {
-    const std::string why = reason();
-    ::unlink(temporary.c_str());
-    return failure(ErrorKind::cannot_write, "{}: cannot be written: {}", file.string(), why);
-  }
-  return {};
+  auto temporary = TemporaryFile::create(file);
+  if (!temporary) return pass_on(std::move(temporary));
+  if (auto ok = temporary->write(data); !ok) return ok;
+  return temporary->appear();
 }
 
 Result<void> write_file(const fs::path& file, const std::string& text) {
@@ -117,10 +99,8 @@ Result<void> check_writable(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error))
     return failure(ErrorKind::cannot_write, "{}: the folder {} does not exist", file.string(), folder.string());
-  const fs::path temporary = temporary_beside(file);
-  Descriptor probe(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!probe.open()) return failure(ErrorKind::cannot_write, "{}: cannot be created: {}", file.string(), reason());
-  ::unlink(temporary.c_str());
+  const auto probe = TemporaryFile::create(file);
+  if (!probe) return tl::unexpected<Error>(probe.error());
   return {};
 }
 

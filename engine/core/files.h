@@ -23,9 +23,6 @@ Result<Bytes> read_file(const std::filesystem::path& file, std::size_t limit = s
 Result<void> write_file(const std::filesystem::path& file, std::span<const unsigned char> data);
 Result<void> write_file(const std::filesystem::path& file, const std::string& text);
 
-/// A hidden name beside `file` that does not exist and that no other process gives to a temporary.
-std::filesystem::path temporary_beside(const std::filesystem::path& file);
-
 /// Fails as cannot_write where `file` cannot be created: its folder is missing or not writable, or it is a folder
 /// itself. Leaves no trace. Meant to be asked before long work starts.
 Result<void> check_writable(const std::filesystem::path& file);

@@ -60,14 +60,14 @@ Result<Part> parse_part(std::string_view text) {
   return part;
 }
 
-/// Where the last run of '#' in the file's own name starts and how long it is; nothing where there is none.
+/// Where the last run of two '#' or more in the file's own name starts and how long it is; nothing where there is none.
 std::optional<std::pair<std::size_t, std::size_t>> frame_pattern(std::string_view file) {
-  const auto last = file.rfind('#');
+  const auto pair = file.rfind("##");
   const auto slash = file.rfind('/');
-  if (last == std::string_view::npos || (slash != std::string_view::npos && last < slash)) return std::nullopt;
-  const auto before = file.find_last_not_of('#', last);
+  if (pair == std::string_view::npos || (slash != std::string_view::npos && pair < slash)) return std::nullopt;
+  const auto before = file.find_last_not_of('#', pair);
   const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
-  return std::pair{start, last - start + 1};
+  return std::pair{start, pair + 2 - start};
 }
 
 }  // namespace
@@ -99,6 +99,17 @@ std::string frame_file_name(std::string_view pattern, int frame) {
   if (!place) return std::string(pattern);
   const auto [start, length] = *place;
   return fmt::format("{}{:0{}}{}", pattern.substr(0, start), frame, length, pattern.substr(start + length));
+}
+
+bool is_frame_file_name(std::string_view pattern, std::string_view file) {
+  const auto place = frame_pattern(pattern);
+  if (!place) return file == pattern;
+  const auto [start, length] = *place;
+  const std::size_t around = pattern.size() - length;
+  if (file.size() <= around || !file.starts_with(pattern.substr(0, start))) return false;
+  const auto frame = parse_integer(file.substr(start, file.size() - around));
+  return frame && *frame >= 0 && *frame <= last_possible_frame &&
+         frame_file_name(pattern, static_cast<int>(*frame)) == file;
 }
 
 }  // namespace sinew

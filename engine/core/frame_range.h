@@ -17,11 +17,15 @@ constexpr std::size_t most_frames = 1'000'000;  ///< in one list
 /// most_frames of them, ranges rise, steps are 1 or more.
 Result<std::vector<int>> parse_frame_range(std::string_view text);
 
-/// True where the file's own name (not its folder's) has a run of '#', however short.
+/// True where the file's own name (not its folder's) has a run of two '#' or more. A single one is a letter like
+/// others: "take #3.png" is one picture.
 bool has_frame_pattern(std::string_view file);
 
-/// The file with the last run of '#' in its name replaced by the frame, padded with zeros to at least the run's length;
+/// The file with the last such run in its name replaced by the frame, padded with zeros to at least the run's length;
 /// a file without such a run as it is. `frame` >= 0.
 std::string frame_file_name(std::string_view pattern, int frame);
+
+/// True where `file` is what frame_file_name() makes of `pattern` for some frame.
+bool is_frame_file_name(std::string_view pattern, std::string_view file);
 
 }  // namespace sinew

@@ -6,11 +6,14 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
+#include "engine/core/files.h"
+
 namespace sinew {
 
 Result<FilmTrack> FilmTrack::create(const FilmKind& kind, const std::filesystem::path& file,
                                     const FilmTrackOptions& options) {
-  auto hidden = HiddenFile::create(file);
+  if (auto ok = check_writable(file); !ok) return pass_on(std::move(ok));
+  auto hidden = TemporaryFile::create(file);
   if (!hidden) return pass_on(std::move(hidden));
   FilmTrack track(file, std::move(*hidden));
   if (const int error = track.open(kind, options); error < 0) return av_failure(file, error);

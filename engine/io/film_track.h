@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "engine/core/temporary_file.h"
 #include "engine/io/film_av.h"
-#include "engine/io/film_file.h"
 #include "engine/io/film_kind.h"
 
 namespace sinew {
@@ -36,7 +36,7 @@ class FilmTrack {
   Result<void> finish(std::int64_t last_duration);
 
  private:
-  FilmTrack(const std::filesystem::path& file, HiddenFile hidden) : file_(file), hidden_(std::move(hidden)) {}
+  FilmTrack(const std::filesystem::path& file, TemporaryFile hidden) : file_(file), hidden_(std::move(hidden)) {}
   int open(const FilmKind& kind, const FilmTrackOptions& options);
   int open_encoder(const FilmKind& kind, const FilmTrackOptions& options);
   int open_muxer(const FilmKind& kind, const FilmTrackOptions& options);
@@ -44,7 +44,7 @@ class FilmTrack {
   int complete(std::int64_t last_duration);
 
   std::filesystem::path file_;
-  HiddenFile hidden_;
+  TemporaryFile hidden_;
   AvEncoder encoder_;
   AvPacket packet_;
   std::unique_ptr<AVFormatContext, CloseMuxer> muxer_;

@@ -149,7 +149,7 @@ TEST_F(JsonOutput, Compare) {
 TEST_F(JsonOutput, StaysAloneOnStdoutWhateverIsLogged) {
   for (const char* log :
        {"--quiet", "--verbose", "--progress=plain", "--progress=bar", "--progress=none", "--validate"}) {
-    const ProgramResult result = run({"render", "--frames", "0-3", "--size", "64x64", "-o", "x_#.png", "--json", log});
+    const ProgramResult result = run({"render", "--frames", "0-3", "--size", "64x64", "-o", "x_##.png", "--json", log});
     EXPECT_EQ(result.exit_code, 0) << result;
     EXPECT_EQ(json_of(result)["frames"].size(), 4u) << log;
   }

@@ -49,9 +49,10 @@ TEST_F(Render, FramesGoToTheFilesOfThePattern) {
   using Names = std::set<std::string>;
   EXPECT_EQ(files({"--frames", "0-2", "-o", "x_####.png"}), (Names{"x_0000.png", "x_0001.png", "x_0002.png"}));
   EXPECT_EQ(files({"--frames", "0-20:10", "-o", "x_##.png"}), (Names{"x_00.png", "x_10.png", "x_20.png"}));
-  EXPECT_EQ(files({"--frames", "1,3,7-9", "-o", "x_#.png"}),
-            (Names{"x_1.png", "x_3.png", "x_7.png", "x_8.png", "x_9.png"}));
-  EXPECT_EQ(files({"--frames", "9,10", "-o", "#.png"}), (Names{"9.png", "10.png"}));
+  EXPECT_EQ(files({"--frames", "1,3,7-9", "-o", "x_##.png"}),
+            (Names{"x_01.png", "x_03.png", "x_07.png", "x_08.png", "x_09.png"}));
+  EXPECT_EQ(files({"--frames", "99,100", "-o", "##.png"}), (Names{"99.png", "100.png"}));
+  EXPECT_EQ(files({"--frame", "7", "-o", "take #3.png"}), (Names{"take #3.png"})) << "a single # is a letter";
   EXPECT_EQ(files({"--frames", "2,2,2", "-o", "x_##.png"}), (Names{"x_02.png"}));
   EXPECT_EQ(files({"--frame", "7", "-o", "x_###.png"}), (Names{"x_007.png"}));
   EXPECT_EQ(files({"--frame", "7", "-o", "x.png"}), (Names{"x.png"}));

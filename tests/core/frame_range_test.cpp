@@ -57,18 +57,36 @@ TEST(FrameRange, NamesThePartThatIsWrong) {
 TEST(FrameFileName, ReplacesTheLastRunOfTheFilesOwnName) {
   EXPECT_EQ(frame_file_name("out/x_####.png", 7), "out/x_0007.png");
   EXPECT_EQ(frame_file_name("x_##.png", 12345), "x_12345.png");
-  EXPECT_EQ(frame_file_name("#_a_###.obj", 0), "#_a_000.obj");
+  EXPECT_EQ(frame_file_name("##_a_###.obj", 0), "##_a_000.obj");
   EXPECT_EQ(frame_file_name("####", 3), "0003");
-  EXPECT_EQ(frame_file_name("take#2/x.png", 3), "take#2/x.png");
-  EXPECT_EQ(frame_file_name("{}_#.png", 3), "{}_3.png");
+  EXPECT_EQ(frame_file_name("take##2/x.png", 3), "take##2/x.png");
+  EXPECT_EQ(frame_file_name("{}_##.png", 3), "{}_03.png");
+}
+
+TEST(FrameFileName, ASingleSignIsALetter) {
+  EXPECT_EQ(frame_file_name("take #3.png", 7), "take #3.png");
+  EXPECT_EQ(frame_file_name("x_###_#3.png", 7), "x_007_#3.png");
+  EXPECT_EQ(frame_file_name("#.png", 7), "#.png");
 }
 
 TEST(FrameFileName, KnowsWhetherThereIsAPattern) {
   EXPECT_TRUE(has_frame_pattern("x_####.png"));
-  EXPECT_TRUE(has_frame_pattern("#"));
+  EXPECT_TRUE(has_frame_pattern("##"));
+  EXPECT_FALSE(has_frame_pattern("x_#.png"));
+  EXPECT_FALSE(has_frame_pattern("#"));
   EXPECT_FALSE(has_frame_pattern("x.png"));
   EXPECT_FALSE(has_frame_pattern("####/x.png"));
   EXPECT_FALSE(has_frame_pattern(""));
+}
+
+TEST(FrameFileName, IsKnownAgain) {
+  for (const int frame : {0, 7, 9999, 12345, last_possible_frame})
+    EXPECT_TRUE(is_frame_file_name("x_####.png", frame_file_name("x_####.png", frame))) << frame;
+  for (const char* other : {"x_007.png", "x_00007.png", "x_0007.jpg", "y_0007.png", "x_-007.png", "x_+007.png",
+                            "x_.png", "x_0a07.png", "x_####.png", "x_99999999.png", ""})
+    EXPECT_FALSE(is_frame_file_name("x_####.png", other)) << other;
+  EXPECT_TRUE(is_frame_file_name("x.png", "x.png"));
+  EXPECT_FALSE(is_frame_file_name("x.png", "y.png"));
 }
 
 }  // namespace
