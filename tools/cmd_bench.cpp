@@ -20,7 +20,8 @@ nlohmann::ordered_json report_json(const BenchReport& r, const Device& device, c
   nlohmann::ordered_json stages;
   const std::pair<const char*, const Timing*> rows[] = {
       {"pose", &r.pose}, {"upload", &r.upload},     {"deform", &r.deform}, {"deform_bare", &r.deform_bare},
-      {"draw", &r.draw}, {"readback", &r.readback}, {"encode", &r.encode}, {"frame", &r.frame}};
+      {"draw", &r.draw}, {"readback", &r.readback}, {"encode", &r.encode}, {"write", &r.write},
+      {"film", &r.film}, {"frame", &r.frame}};
   for (const auto& [name, t] : rows) stages[name] = timing_json(*t);
   return {{"device", device_json(device.info())},
           {"vertices", r.vertices},
@@ -32,6 +33,12 @@ nlohmann::ordered_json report_json(const BenchReport& r, const Device& device, c
           {"fps", 1000.0 / r.frame.median},
           {"deform_mverts_per_s", double(r.vertices) / r.deform.median / 1000.0},
           {"deform_ratio", r.deform_ratio},
+          {"film_fps", r.film_capture.fps},
+          {"film_cpu_ms", r.film_capture.cpu_ms},
+          {"film_overlap", r.film_capture.overlap},
+          {"png_fps", r.png_capture.fps},
+          {"png_cpu_ms", r.png_capture.cpu_ms},
+          {"png_overlap", r.png_capture.overlap},
           {"ssd_fps", r.ssd_fps},
           {"bulge_fps", r.bulge_fps},
           {"bulge_cost", r.bulge_cost},
@@ -64,10 +71,14 @@ void log_report(const BenchReport& r) {
   spdlog::info("{} vertices, {} triangles, {} joints", r.vertices, r.triangles, r.joints);
   spdlog::info(
       "pose {:.3f}, upload {:.3f}, deform {:.3f} ({:.2f} times a bare 4-influence SSD kernel, {:.3f}), draw {:.3f}, "
-      "read back {:.3f}, "
-      "encode {:.3f}, frame {:.3f} ms (medians)",
+      "read back {:.3f}, frame {:.3f} ms (medians)",
       r.pose.median, r.upload.median, r.deform.median, r.deform_ratio, r.deform_bare.median, r.draw.median,
-      r.readback.median, r.encode.median, r.frame.median);
+      r.readback.median, r.frame.median);
+  spdlog::info(
+      "encode {:.3f} and write {:.3f} ms a PNG, {:.3f} ms a picture of a film; end to end {:.1f} frames/s into a film "
+      "(overlap {:.2f}), {:.1f} into PNGs ({:.2f})",
+      r.encode.median, r.write.median, r.film.median, r.film_capture.fps, r.film_capture.overlap, r.png_capture.fps,
+      r.png_capture.overlap);
   spdlog::info(
       "{:.1f} frames/s plain SSD, {:.1f} with the bulge, which costs {:.1f} %; start-up {:.0f} ms, peak {:.0f} MiB",
       r.ssd_fps, r.bulge_fps, 100.0 * r.bulge_cost, r.startup_ms, r.peak_memory_mib);

@@ -3,13 +3,14 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <fstream>
 #include <set>
 #include <sstream>
 
+#include "engine/app/bench_capture.h"
+#include "engine/app/bench_timing.h"
+#include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/io/png.h"
 
@@ -18,27 +19,6 @@ namespace {
 
 /// Drivers compile shaders at first use, and caches fill.
 constexpr int warm_up_rounds = 5;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-Timing timing(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * double(values.size() - 1))]; };
-  return {at(0.5), at(0.95)};
-}
-
-template <class Call>
-double milliseconds(Call&& call) {
-  const auto begun = std::chrono::steady_clock::now();
-  call();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-}
 
 /// Since this process was started, as the kernel counts it (in hundredths of a second).
 double process_age_ms() {
@@ -76,10 +56,12 @@ std::size_t joint_count(const Stage& stage) {
 /// The pieces that are timed, and what they took.
 class Bench {
  public:
-  Bench(const Stage& stage, const BenchOptions& options, FrameMaker with, FrameMaker without,
-        std::vector<GpuDeformer> bare)
-      : stage_(stage),
+  Bench(Device& device, const Stage& stage, const BenchOptions& options, CaptureBench captures, FrameMaker with,
+        FrameMaker without, std::vector<GpuDeformer> bare)
+      : device_(device),
+        stage_(stage),
         options_(options),
+        captures_(std::move(captures)),
         with_(std::move(with)),
         without_(std::move(without)),
         bare_(std::move(bare)) {}
@@ -93,7 +75,9 @@ class Bench {
       if (i + 1 == warm_up_rounds) forget();
       progress.advance();
     }
-    return report(startup_ms);
+    BenchReport r = report(startup_ms);
+    if (auto ok = capture_frames(r); !ok) return pass_on(std::move(ok));
+    return r;
   }
 
  private:
@@ -125,7 +109,24 @@ class Bench {
     Result<Bytes> png;
     encode_.push_back(milliseconds([&] { png = encode_png(picture.rgba, picture.width, picture.height, {}, false); }));
     if (!png) return pass_on(std::move(png));
+    write_.push_back(milliseconds([&] { ok = write_file(captures_.file("stage.png"), *png); }));
+    if (!ok) return ok;
     return time_pair(i, frame);
+  }
+
+  /// Frames into files, and how near that comes to what the stages allow.
+  Result<void> capture_frames(BenchReport& r) {
+    auto film = captures_.film_stage(with_, stage_);
+    if (!film) return pass_on(std::move(film));
+    r.film = *film;
+    auto film_capture = captures_.run(device_, stage_, "film.mp4", slowest_stage(r, r.film));
+    if (!film_capture) return pass_on(std::move(film_capture));
+    r.film_capture = *film_capture;
+    const Timing& last = r.encode.median > r.write.median ? r.encode : r.write;
+    auto png_capture = captures_.run(device_, stage_, "frame_########.png", slowest_stage(r, last));
+    if (!png_capture) return pass_on(std::move(png_capture));
+    r.png_capture = *png_capture;
+    return {};
   }
 
   /// The full pass and the bare kernel, one after the other; which comes first alternates.
@@ -158,7 +159,7 @@ class Bench {
 
   void forget() {
     for (auto* times :
-         {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &with_ms_, &without_ms_})
+         {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &write_, &with_ms_, &without_ms_})
       times->clear();
   }
 
@@ -175,6 +176,7 @@ class Bench {
     r.draw = timing(draw_);
     r.readback = timing(readback_);
     r.encode = timing(encode_);
+    r.write = timing(write_);
     r.frame = timing(with_ms_);
     std::vector<double> ratios, costs;
     for (std::size_t i = 0; i < deform_.size(); ++i) ratios.push_back(deform_[i] / deform_bare_[i]);
@@ -188,16 +190,20 @@ class Bench {
     return r;
   }
 
+  Device& device_;
   const Stage& stage_;
   const BenchOptions& options_;
+  CaptureBench captures_;
   FrameMaker with_, without_;
   std::vector<GpuDeformer> bare_;
-  std::vector<double> pose_, upload_, deform_, deform_bare_, draw_, readback_, encode_, with_ms_, without_ms_;
+  std::vector<double> pose_, upload_, deform_, deform_bare_, draw_, readback_, encode_, write_, with_ms_, without_ms_;
 };
 
 }  // namespace
 
 Result<BenchReport> run_bench(Device& device, const Stage& stage, const BenchOptions& options) {
+  auto captures = CaptureBench::create(options);
+  if (!captures) return pass_on(std::move(captures));
   std::vector<std::string> problems;
   SceneOptions with_bulge = options.scene, without_bulge = options.scene;
   if (with_bulge.bulge == BulgeMode::off) with_bulge.bulge = BulgeMode::on;
@@ -215,7 +221,8 @@ Result<BenchReport> run_bench(Device& device, const Stage& stage, const BenchOpt
     if (!deformer) return pass_on(std::move(deformer));
     bare.push_back(std::move(*deformer));
   }
-  return Bench(stage, options, std::move(*with), std::move(*without), std::move(bare)).run(startup_ms);
+  return Bench(device, stage, options, std::move(*captures), std::move(*with), std::move(*without), std::move(bare))
+      .run(startup_ms);
 }
 
 }  // namespace sinew

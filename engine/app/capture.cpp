@@ -1,14 +1,19 @@
 #include "engine/app/capture.h"
 
+#include <sys/resource.h>
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
-#include <future>
 
 #include "engine/app/recipe.h"
 #include "engine/core/files.h"
 #include "engine/core/frame_range.h"
 #include "engine/core/interrupt.h"
+#include "engine/core/ordered_work.h"
+#include "engine/core/temporary_file.h"
 #include "engine/core/text.h"
 #include "engine/io/film.h"
 #include "engine/io/png.h"
@@ -17,6 +22,9 @@ namespace sinew {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// That encode and write pictures: the disk is waited for on one while the other works.
+constexpr std::size_t writing_threads = 2;
 
 /// The picture that an earlier run left, where this run would make the same one.
 std::optional<CapturedFrame> kept_picture(CapturedFrame frame, const std::string& hash, const PictureSize& size) {
@@ -88,70 +96,107 @@ class Outcome {
   std::optional<Error> first_;
 };
 
-/// What is done with a finished picture, on a thread of its own, one picture after another.
-using Write = std::function<Result<CapturedFrame>(const Picture&, CapturedFrame)>;
-
 /// Draws the picture of a number.
 using Draw = std::function<Result<Picture>(int)>;
 
-/// Draws frames while the one before is written.
-class Sequence {
+/// A picture on its way to a file; one that is kept from an earlier run has no pixels.
+struct DrawnFrame {
+  CapturedFrame frame;
+  Picture picture;
+  Clock::time_point begun;
+};
+
+using Writing = OrderedWork<DrawnFrame, Result<CapturedFrame>>;
+
+/// Pictures that may wait between drawing and writing: enough that a slow one of either side does not hold up the
+/// other, few enough that large ones do not fill the memory.
+std::size_t waiting_pictures(const PictureSize& size) {
+  constexpr std::size_t most = 6, most_bytes = std::size_t{512} << 20;
+  return std::clamp<std::size_t>(most_bytes / (std::size_t{4} * size.width * size.height), 1, most);
+}
+
+/// What the process has taken of all cores, seconds.
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// How long it took, from its making on.
+class Stopwatch {
  public:
-  Sequence(Draw draw, Outcome& outcome, Write write)
-      : draw_(std::move(draw)), outcome_(outcome), write_(std::move(write)) {}
-  ~Sequence() { finish(); }
-
-  Result<void> add(CapturedFrame frame) {
-    const Clock::time_point begun = Clock::now();
-    auto picture = draw_(frame.frame);
-    finish();
-    if (!picture) return pass_on(std::move(picture));
-    writing_ = std::async(std::launch::async, [this, frame = std::move(frame), picture = std::move(*picture), begun] {
-      auto written = write_(picture, frame);
-      if (written) written->ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
-      return written;
-    });
-    return {};
-  }
-
-  /// Waits for the last picture.
-  void finish() {
-    if (writing_.valid()) outcome_.add(writing_.get());
+  void read(CaptureReport& report) const {
+    report.seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
+    report.cpu_seconds = cpu_seconds() - cpu_begun_;
   }
 
  private:
-  Draw draw_;
-  Outcome& outcome_;
-  Write write_;
-  std::future<Result<CapturedFrame>> writing_;
+  Clock::time_point begun_ = Clock::now();
+  double cpu_begun_ = cpu_seconds();
 };
+
+/// The write's outcome with the time since the frame was begun.
+Result<CapturedFrame> timed(Result<CapturedFrame> written, Clock::time_point begun) {
+  if (written) written->ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+  return written;
+}
+
+/// Rendering for hours what can be put nowhere helps nobody.
+Result<void> check_folder(const std::string& output) {
+  const std::filesystem::path named = std::filesystem::path(output).parent_path();
+  const std::filesystem::path folder = named.empty() ? "." : named;
+  // The working folder is still found when it was removed, but has no name any more.
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_nlink > 0) return {};
+  return failure(ErrorKind::cannot_write, "{}: the folder {} has gone since the start", output, folder.string());
+}
 
 Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figure, const Stage& stage,
                                        const CaptureOptions& options, const std::vector<int>& frames,
                                        Outcome& outcome) {
   const Recipe recipe(stage, options.scene, options.look, figure);
   const bool keep_alpha = keeps_alpha(stage, options);
-  Sequence sequence(draw, outcome, [&](const Picture& picture, const CapturedFrame& frame) {
-    return write_picture(picture, frame, recipe.hash(frame.frame), keep_alpha);
+  const std::size_t places = waiting_pictures(options.look.size);
+  const Stopwatch stopwatch;
+  Writing writing(std::min(places, writing_threads), places, [&](const DrawnFrame& drawn) -> Result<CapturedFrame> {
+    if (drawn.frame.skipped) return drawn.frame;
+    return timed(write_picture(drawn.picture, drawn.frame, recipe.hash(drawn.frame.frame), keep_alpha), drawn.begun);
   });
   Progress progress("rendering", frames.size(), options.progress);
   for (const int number : frames) {
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    if (auto ok = check_folder(options.output); !ok) return pass_on(std::move(ok));
+    const Clock::time_point begun = Clock::now();
     CapturedFrame frame;
     frame.frame = number;
     frame.file = frame_file_name(options.output, number);
     auto kept = options.resume ? kept_picture(frame, recipe.hash(number), options.look.size) : std::nullopt;
     if (kept) {
-      sequence.finish();
-      outcome.add(std::move(*kept));
-    } else if (auto ok = sequence.add(frame); !ok) {
-      return pass_on(std::move(ok));
+      writing.add({std::move(*kept), {}, begun});
+    } else {
+      auto picture = draw(number);
+      if (!picture) return pass_on(std::move(picture));
+      writing.add({std::move(frame), std::move(*picture), begun});
     }
+    while (auto written = writing.take_ready()) outcome.add(std::move(*written));
     progress.advance();
   }
-  sequence.finish();
+  while (auto written = writing.take_next()) outcome.add(std::move(*written));
+  stopwatch.read(outcome.report);
   if (auto ok = outcome.verdict(); !ok) return pass_on(std::move(ok));
   return std::move(outcome.report);
+}
+
+/// Puts the film under its name and takes its hash.
+Result<void> complete(FilmWriter& film, const std::string& output, CaptureReport& report) {
+  if (auto ok = film.finish(); !ok) return ok;
+  const auto bytes = read_file(output, std::size_t{1} << 40);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  report.film = output;
+  report.film_sha256 = sha256(*bytes);
+  report.problems.insert(report.problems.end(), film.notes().begin(), film.notes().end());
+  return {};
 }
 
 /// A film is whole or not there: the first failure ends it.
@@ -161,27 +206,31 @@ Result<CaptureReport> capture_film(const Draw& draw, const Stage& stage, const C
   auto film =
       FilmWriter::create(options.output, {size.width, size.height, stage.scene.fps, keeps_alpha(stage, options)});
   if (!film) return pass_on(std::move(film));
-  Sequence sequence(draw, outcome, [&](const Picture& picture, CapturedFrame frame) -> Result<CapturedFrame> {
-    frame.sha256 = sha256(picture.rgba);
-    if (auto ok = film->add(picture); !ok) return pass_on(std::move(ok));
-    return frame;
+  const Stopwatch stopwatch;
+  // Frames of a film depend on one another: one thread encodes them, and what it uses works on several by itself.
+  Writing writing(1, waiting_pictures(size), [&](DrawnFrame drawn) -> Result<CapturedFrame> {
+    drawn.frame.sha256 = sha256(drawn.picture.rgba);
+    if (auto ok = film->add(drawn.picture); !ok) return pass_on(std::move(ok));
+    return timed(std::move(drawn.frame), drawn.begun);
   });
   Progress progress("filming", frames.size(), options.progress);
   for (const int number : frames) {
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    if (auto ok = check_folder(options.output); !ok) return pass_on(std::move(ok));
+    const Clock::time_point begun = Clock::now();
     CapturedFrame frame;
     frame.frame = number;
-    if (auto ok = sequence.add(frame); !ok) return pass_on(std::move(ok));
+    auto picture = draw(number);
+    if (!picture) return pass_on(std::move(picture));
+    writing.add({std::move(frame), std::move(*picture), begun});
+    while (auto written = writing.take_ready()) outcome.add(std::move(*written));
     if (outcome.first_failure()) return tl::unexpected<Error>(*outcome.first_failure());
     progress.advance();
   }
-  sequence.finish();
-  if (auto ok = film->finish(); !ok) return pass_on(std::move(ok));
-  const auto bytes = read_file(options.output, std::size_t{1} << 40);
-  if (!bytes) return tl::unexpected<Error>(bytes.error());
-  outcome.report.film = options.output;
-  outcome.report.film_sha256 = sha256(*bytes);
-  outcome.report.problems.insert(outcome.report.problems.end(), film->notes().begin(), film->notes().end());
+  while (auto written = writing.take_next()) outcome.add(std::move(*written));
+  if (outcome.first_failure()) return tl::unexpected<Error>(*outcome.first_failure());
+  if (auto ok = complete(*film, options.output, outcome.report); !ok) return pass_on(std::move(ok));
+  stopwatch.read(outcome.report);
   return std::move(outcome.report);
 }
 
@@ -225,6 +274,7 @@ Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureO
   const std::vector<int> frames = selected_frames(stage, options.scene, !whole_range);
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
   if (auto ok = check_not_an_input(stage, options.output); !ok) return pass_on(std::move(ok));
+  remove_stale_temporaries(options.output);
   Outcome outcome;
   auto maker = FigureMaker::create(device, stage, options.scene, options.look, options.figure, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));

@@ -36,15 +36,19 @@ struct CaptureReport {
   std::vector<CapturedFrame> frames;
   std::string film, film_sha256;  ///< the film's file and the hash of its bytes; empty for pictures
   std::vector<std::string> problems;
+  double seconds = 0.0;      ///< from the first frame's pose to the last file under its name
+  double cpu_seconds = 0.0;  ///< of all the process' threads in that time
 };
 
 /// What the options ask for, checked without opening anything. Fails as usage: unknown ending, several frames into a
 /// picture's name without a run of '#', or parts of a film; as cannot_write where a film's encoder is missing.
 Result<void> check_output(const CaptureOptions& options);
 
-/// Renders the selected frames into pictures or a film. Drawing a frame overlaps with encoding the one before. Fails as
-/// cannot_write where nothing could be written, as frames_failed where only some pictures could, and as interrupted or
-/// terminated with every written picture whole and no film.
+/// Renders the selected frames into pictures or a film. Frames are drawn one after another while those before are
+/// encoded and written on threads of their own; how many never changes what is written. What killed runs of the same
+/// output left half-written is removed first. Fails as cannot_write where nothing could be written or the folder has
+/// gone, as frames_failed where only some pictures could, as device_failed where the device or memory gave out, and as
+/// interrupted or terminated; in each case with every written picture whole and no film.
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options);
 
 }  // namespace sinew
