@@ -1,7 +1,11 @@
+#include <algorithm>
+
 #include <spdlog/spdlog.h>
 
 #include "engine/core/files.h"
+#include "engine/core/text.h"
 #include "engine/io/png.h"
+#include "engine/render/flip.h"
 #include "engine/render/picture_compare.h"
 #include "tools/command.h"
 
@@ -38,10 +42,10 @@ Result<void> write_difference(const Words& words, const Picture& a, const Pictur
 }
 
 Result<void> check_words(const Words& words) {
-  if (words.metric == "flip")
-    return failure(ErrorKind::usage, "--metric flip: does not exist yet; expected pixels or ssim");
-  if (words.metric != "pixels" && words.metric != "ssim")
-    return failure(ErrorKind::usage, "--metric {}: expected pixels or ssim", words.metric);
+  const std::vector<std::string> metrics{"pixels", "ssim", "flip"};
+  if (std::find(metrics.begin(), metrics.end(), words.metric) == metrics.end())
+    return failure(ErrorKind::usage, "--metric {}: expected one of {}{}", words.metric, fmt::join(metrics, ", "),
+                   did_you_mean(words.metric, metrics));
   if (words.tolerance < 0 || words.tolerance > 255)
     return failure(ErrorKind::usage, "--tolerance {}: expected 0 to 255", words.tolerance);
   if (!(words.pixels >= 0.0 && words.pixels <= 1.0))
@@ -59,6 +63,13 @@ Result<Verdict> judge(const Words& words, const Picture& a, const Picture& b, co
     if (!value) return tl::unexpected<Error>(value.error());
     return Verdict{*value, words.threshold,
                    fmt::format("1 - SSIM is {:.5f}, at most {} may be", *value, words.threshold)};
+  }
+  if (words.metric == "flip") {
+    const auto map = flip(a, b);
+    if (!map) return tl::unexpected<Error>(map.error());
+    const double value = map->mean();
+    return Verdict{value, words.threshold,
+                   fmt::format("mean FLIP is {:.5f}, at most {} may be", value, words.threshold)};
   }
   const double share = static_cast<double>(compared.pixels_over) / static_cast<double>(compared.pixels);
   return Verdict{
@@ -105,8 +116,8 @@ void add_compare(CLI::App& program, Run& run) {
       ->capture_default_str();
   command->add_option("--pixels", words->pixels, "Share of the pixels that may exceed it, 0 to 1")
       ->capture_default_str();
-  command->add_option("--metric", words->metric, "How to compare: pixels, or ssim")->capture_default_str();
-  command->add_option("--threshold", words->threshold, "Of 1 - SSIM: at most this may it be")->capture_default_str();
+  command->add_option("--metric", words->metric, "How to compare: pixels, ssim or flip")->capture_default_str();
+  command->add_option("--threshold", words->threshold, "Of 1 - SSIM or the mean FLIP: at most this may it be")->capture_default_str();
   command->add_option("--diff", words->diff, "Write the difference, eight times amplified, to this .png");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return compare(*words); }; });
