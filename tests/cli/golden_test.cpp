@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <cstring>
 #include <ostream>
 
 #include "tests/support/program.h"
@@ -21,7 +23,15 @@ struct GoldenPicture {
   /// silhouette passes may fall on its other side, so that all of its colour changes: 130 of these 129,600 pixels.
   int tolerance = 3;
   double pixels = 0.001;
+  /// Mean FLIP: what is left where every drawn pixel, one in thirteen, is off by one level.
+  double flip = 0.002;
+  /// Colours of what is drawn, at least: light, texture and smooth normals make hundreds. A silhouette has one.
+  std::size_t colours = 300;
 };
+
+/// Of the whole picture, that what is drawn covers: the arm takes 0.04 to 0.1 in these views. An empty picture has 0, a
+/// black or filled one 1.
+constexpr double least_covered = 0.03, most_covered = 0.2;
 
 /// For the name of a test that fails.
 std::ostream& operator<<(std::ostream& stream, const GoldenPicture& golden) { return stream << golden.name; }
@@ -41,11 +51,13 @@ const std::vector<GoldenPicture> goldens{
     {"view_three_quarter", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "three-quarter"}},
     {"orbit", {"--frame", "30", "--orbit", "20"}},
     {"twisted", {"--frame", "0", "--pose", "leftLowerArm=60,-70,0"}},
-    {"shading_flat", {"--frame", "40", "--shading", "flat"}},
+    // Without light, the texture's colours alone.
+    {.name = "shading_flat", .arguments = {"--frame", "40", "--shading", "flat"}, .colours = 20},
     {"shading_clay", {"--frame", "40", "--shading", "clay"}},
     {"shading_normals", {"--frame", "40", "--shading", "normals"}},
     {"shading_bulge", {"--frame", "40", "--shading", "bulge"}},
-    {"shading_depth", {"--frame", "40", "--shading", "depth"}},
+    // An arm is not deep: three dozen greys.
+    {.name = "shading_depth", .arguments = {"--frame", "40", "--shading", "depth"}, .colours = 20},
     // Four samples a pixel put silhouettes between two colours, where a sample that flips changes a quarter of the
     // difference; the share stays as it is, since no more pixels are touched.
     {"smooth_edges", {"--frame", "40", "--samples", "4"}},
@@ -61,12 +73,60 @@ Arguments render_words(const Arguments& more, const fs::path& output) {
   return all;
 }
 
+/// What is not background: how much of the picture, and in how many colours.
+struct Drawn {
+  double covered = 0.0;
+  std::size_t colours = 0;
+};
+
+Drawn drawn(const DecodedPng& png, bool transparent) {
+  std::size_t pixels = 0;
+  std::set<std::array<unsigned char, 3>> colours;
+  for (std::size_t i = 0; i < png.rgba.size(); i += 4) {
+    const std::array<unsigned char, 3> colour{png.rgba[i], png.rgba[i + 1], png.rgba[i + 2]};
+    if (transparent ? png.rgba[i + 3] == 0 : colour == std::array<unsigned char, 3>{0xd8, 0xd8, 0xd8}) continue;
+    ++pixels;
+    colours.insert(colour);
+  }
+  return {double(pixels) / (double(png.width) * png.height), colours.size()};
+}
+
+void expect_something_drawn(const fs::path& file, const GoldenPicture& golden) {
+  const auto bytes = read_file(file);
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  const auto png = decode_png(*bytes);
+  ASSERT_TRUE(png) << file << ": " << png.error().message;
+  EXPECT_EQ(png->width, 480) << file;
+  EXPECT_EQ(png->height, 270) << file;
+  const Drawn found = drawn(*png, std::ranges::find(golden.arguments, "transparent") != golden.arguments.end());
+  EXPECT_GE(found.covered, least_covered) << file;
+  EXPECT_LE(found.covered, most_covered) << file;
+  EXPECT_GE(found.colours, golden.colours) << file;
+}
+
+/// Whether two pictures are told apart by the limits.
+struct Judgement {
+  ProgramResult pixels, flip;
+  bool same() const { return pixels.exit_code == 0 && flip.exit_code == 0; }
+  bool different() const { return pixels.exit_code == 1 || flip.exit_code == 1; }
+};
+
 bool updating() {
   const char* update = std::getenv("SINEW_UPDATE_GOLDENS");
   return update != nullptr && std::string(update) == "1";
 }
 
-class Golden : public ProgramTest, public testing::WithParamInterface<GoldenPicture> {};
+class GoldenTest : public ProgramTest {
+ protected:
+  Judgement judge(const fs::path& a, const fs::path& b, const GoldenPicture& limits, const fs::path& difference) const {
+    return {
+        run({"compare", a.string(), b.string(), "--tolerance", std::to_string(limits.tolerance), "--pixels",
+             fmt::format("{}", limits.pixels), "--diff", difference.string()}),
+        run({"compare", a.string(), b.string(), "--metric", "flip", "--threshold", fmt::format("{}", limits.flip)})};
+  }
+};
+
+class Golden : public GoldenTest, public testing::WithParamInterface<GoldenPicture> {};
 
 TEST_P(Golden, IsWhatItWas) {
   const GoldenPicture& golden = GetParam();
@@ -85,17 +145,17 @@ TEST_P(Golden, IsWhatItWas) {
   ASSERT_EQ(rendered.exit_code, 0) << rendered;
   ASSERT_TRUE(fs::exists(kept)) << kept << " is missing. Look at " << now
                                 << "; if it is right, keep it and the others that are missing: tools/update_goldens.sh";
-  const ProgramResult compared =
-      run({"compare", kept.string(), now.string(), "--tolerance", std::to_string(golden.tolerance), "--pixels",
-           fmt::format("{}", golden.pixels), "--diff", difference.string()});
-  EXPECT_EQ(compared.exit_code, 0) << kept << " and " << now << " differ, see " << difference
-                                   << ". If the change is wanted: tools/update_goldens.sh" << compared;
+  expect_something_drawn(kept, golden);
+  expect_something_drawn(now, golden);
+  const Judgement judged = judge(kept, now, golden, difference);
+  EXPECT_TRUE(judged.same()) << kept << " and " << now << " differ, see " << difference
+                             << ". If the change is wanted: tools/update_goldens.sh" << judged.pixels << judged.flip;
 }
 
 INSTANTIATE_TEST_SUITE_P(Embedded, Golden, testing::ValuesIn(goldens),
                          [](const auto& test) { return test.param.name; });
 
-class GoldenFolder : public ProgramTest {};
+class GoldenFolder : public GoldenTest {};
 
 TEST_F(GoldenFolder, HoldsNothingElse) {
   std::set<std::string> expected, found;
@@ -127,16 +187,82 @@ const std::vector<Mutant> mutants{
 };
 
 TEST_F(GoldenFolder, ToleranceTellsMutantsApart) {
-  const GoldenPicture limits{};
   for (const Mutant& mutant : mutants) {
     for (const auto& [name, words] : {std::pair{"original.png", mutant.original}, {"changed.png", mutant.changed}}) {
       const ProgramResult rendered = run(render_words(words, path(name)));
       ASSERT_EQ(rendered.exit_code, 0) << rendered;
     }
-    const ProgramResult result = run({"compare", "original.png", "changed.png", "--tolerance",
-                                      std::to_string(limits.tolerance), "--pixels", fmt::format("{}", limits.pixels)});
-    EXPECT_EQ(result.exit_code, 1) << fmt::format("{}", fmt::join(mutant.changed, " ")) << " passes" << result;
+    const Judgement judged = judge(path("original.png"), path("changed.png"), {}, path("difference.png"));
+    EXPECT_TRUE(judged.different()) << fmt::format("{}", fmt::join(mutant.changed, " ")) << " passes" << judged.pixels
+                                    << judged.flip;
   }
+}
+
+/// The arm's file with every normal turned round.
+void flip_normals(Bytes& glb) {
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, &glb[at], 4);
+    return std::size_t{value};
+  };
+  const std::size_t json_size = word(12), data = 20 + json_size + 8;
+  const auto json = nlohmann::json::parse(glb.begin() + 20, glb.begin() + 20 + static_cast<std::ptrdiff_t>(json_size));
+  for (const auto& mesh : json.at("meshes"))
+    for (const auto& primitive : mesh.at("primitives")) {
+      const auto& accessor = json.at("accessors").at(primitive.at("attributes").at("NORMAL").get<std::size_t>());
+      const auto& view = json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+      const std::size_t first =
+          data + view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
+      const std::size_t stride = view.value("byteStride", std::size_t{12});
+      for (std::size_t i = 0; i < accessor.at("count").get<std::size_t>(); ++i)
+        // The sign is the highest bit of each of the three little-endian floats.
+        for (std::size_t c = 0; c < 3; ++c) glb[first + i * stride + 4 * c + 3] ^= 0x80;
+    }
+}
+
+TEST_F(GoldenFolder, NormalsTurnedRoundAreTold) {
+  arm();
+  Bytes glb = read("arm.glb");
+  flip_normals(glb);
+  ASSERT_TRUE(write_file(path("turned.glb"), glb));
+  for (const char* name : {"arm", "turned"}) {
+    const ProgramResult rendered = run(
+        render_words({std::string(name) + ".glb", "--pose", "leftLowerArm=0,-90,0"}, path(std::string(name) + ".png")));
+    ASSERT_EQ(rendered.exit_code, 0) << rendered;
+  }
+  const Judgement judged = judge(path("arm.png"), path("turned.png"), {}, path("difference.png"));
+  EXPECT_EQ(judged.pixels.exit_code, 1) << judged.pixels;
+  EXPECT_EQ(judged.flip.exit_code, 1) << judged.flip;
+}
+
+TEST_F(GoldenFolder, ACameraThatMovedAPixelIsTold) {
+  for (const auto& [name, x] : {std::pair{"still", 0.35}, {"moved", 0.3525}}) {
+    // 1.3 away at 30 degrees high, 270 pixels are 0.697: the target moves by one.
+    write(std::string(name) + ".json", fmt::format(R"({{"sinew": 1, "characters": [{{"model": "builtin:arm"}}],
+                          "camera": {{"view": "front", "target": [{}, 0, 0], "distance": 1.3}}}})",
+                                                   x));
+    const ProgramResult rendered =
+        run(render_words({std::string(name) + ".json", "--frame", "0"}, path(std::string(name) + ".png")));
+    ASSERT_EQ(rendered.exit_code, 0) << rendered;
+  }
+  const Judgement judged = judge(path("still.png"), path("moved.png"), {}, path("difference.png"));
+  EXPECT_EQ(judged.pixels.exit_code, 1) << judged.pixels;
+  EXPECT_EQ(judged.flip.exit_code, 1) << judged.flip;
+}
+
+TEST_F(GoldenFolder, WhatIsEmptyOrFilledIsTold) {
+  // No camera that looks past the arm, no failed draw and no picture of one colour can become a golden one.
+  const auto painted = [](unsigned char value) {
+    DecodedPng png;
+    png.width = 480;
+    png.height = 270;
+    png.rgba.assign(std::size_t{480} * 270 * 4, value);
+    return png;
+  };
+  EXPECT_LT(drawn(painted(0xd8), false).covered, least_covered);
+  EXPECT_LT(drawn(painted(0), true).covered, least_covered);
+  EXPECT_GT(drawn(painted(0), false).covered, most_covered);
+  EXPECT_LT(drawn(painted(0), false).colours, 2u);
 }
 
 }  // namespace
