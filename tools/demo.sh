@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/install.sh
-install_packages
+install_packages without-tests
 prepare_environment
 cmake --preset release -DSINEW_TESTS=OFF > /dev/null
 cmake --build build/release

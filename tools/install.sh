@@ -1,11 +1,27 @@
 #!/usr/bin/env bash
-# Installs the packages of tools/packages.txt that are missing. Sourced by demo.sh and test.sh.
+# Installs the packages of tools/packages.txt that are missing. Sourced by demo.sh, which leaves out those that only tests
+# need, and test.sh.
 set -euo pipefail
 
+# A Node.js from elsewhere brings its own npm, and Debian's npm would take that Node.js away.
+is_there() {
+  case "$1" in
+    nodejs) command -v node > /dev/null ;;
+    npm) command -v npm > /dev/null ;;
+    *) false ;;
+  esac
+}
+
 install_packages() {
-  local wanted missing=()
-  mapfile -t wanted < <(grep -vE '^\s*(#|$)' "$(dirname "${BASH_SOURCE[0]}")/packages.txt")
+  local wanted missing=() list
+  list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
+  if [ "${1:-}" = without-tests ]; then
+    mapfile -t wanted < <(sed '/^# Tests alone/,$d' "$list" | grep -vE '^\s*(#|$)')
+  else
+    mapfile -t wanted < <(grep -vE '^\s*(#|$)' "$list")
+  fi
   for package in "${wanted[@]}"; do
+    if is_there "$package"; then continue; fi
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
   done
   if [ ${#missing[@]} -eq 0 ]; then return; fi

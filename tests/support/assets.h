@@ -11,7 +11,8 @@ namespace sinew::test {
 /// The folder that SINEW_ASSETS names, if it is there.
 std::optional<std::filesystem::path> assets();
 
-/// True where SINEW_REQUIRE_ASSETS is 1: then a test that lacks the assets fails instead of being skipped.
+/// True where SINEW_REQUIRE_ASSETS is 1: then a test that lacks the assets, or anything else that comes from outside the
+/// project, fails instead of being skipped.
 bool assets_required();
 
 }  // namespace sinew::test
