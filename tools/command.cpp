@@ -57,14 +57,13 @@ Result<SceneOptions> scene_options(const SceneWords& words) {
   if (words.scene && words.scene->empty())
     return failure(ErrorKind::usage, "the scene's name is empty; name a file, or leave it out for the embedded scene");
   options.scene = words.scene.value_or("");
-  const std::string& range = words.frame.empty() ? words.frames : words.frame;
-  if (!range.empty()) {
-    auto frames = parse_frame_range(range);
+  if (const auto& range = words.frame ? words.frame : words.frames) {
+    auto frames = parse_frame_range(*range);
     if (!frames)
-      return failure(ErrorKind::usage, "{} {}: {}", words.frame.empty() ? "--frames" : "--frame", range,
+      return failure(ErrorKind::usage, "{} {}: {}", words.frame ? "--frame" : "--frames", *range,
                      frames.error().message);
-    if (!words.frame.empty() && frames->size() != 1)
-      return failure(ErrorKind::usage, "--frame {}: expected one frame; several go with --frames", words.frame);
+    if (words.frame && frames->size() != 1)
+      return failure(ErrorKind::usage, "--frame {}: expected one frame; several go with --frames", *words.frame);
     options.frames = std::move(*frames);
   }
   auto deformer = parse_deformer(words.deformer);

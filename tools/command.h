@@ -29,7 +29,7 @@ struct CommonOptions {
 /// The words of the scene options, as typed.
 struct SceneWords {
   std::optional<std::string> scene;
-  std::string frame, frames;
+  std::optional<std::string> frame, frames;
   std::string deformer = "ssd", bulge = "on", clip, library;
   std::vector<std::string> poses;
   std::optional<double> fps;

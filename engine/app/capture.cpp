@@ -68,10 +68,14 @@ std::vector<int> shard_of(const std::vector<int>& frames, const Shard& shard) {
   return {bound(shard.index), bound(shard.index + 1)};
 }
 
+/// A disk that took none of so many pictures, one after another, will not take the next.
+constexpr std::size_t most_failures_in_a_row = 20;
+
 /// Gathers what became of each frame.
 class Outcome {
  public:
   void add(Result<CapturedFrame> written) {
+    in_a_row_ = written ? 0 : in_a_row_ + 1;
     if (written) {
       report.frames.push_back(std::move(*written));
     } else {
@@ -83,9 +87,15 @@ class Outcome {
   Result<void> verdict() const {
     if (failures_.empty()) return {};
     if (report.frames.empty()) return tl::unexpected<Error>(*first_);
-    return failure(ErrorKind::frames_failed, "{} of {} frames failed:\n  {}", failures_.size(),
-                   failures_.size() + report.frames.size(), fmt::join(failures_, "\n  "));
+    constexpr std::size_t most_told = 10;
+    const auto told = failures_.begin() + static_cast<std::ptrdiff_t>(std::min(failures_.size(), most_told));
+    return failure(ErrorKind::frames_failed, "{} of {} frames failed{}:\n  {}{}", failures_.size(),
+                   failures_.size() + report.frames.size(),
+                   hopeless() ? ", the last of them one after another, and the rest was not tried" : "",
+                   fmt::join(failures_.begin(), told, "\n  "), told == failures_.end() ? "" : "\n  ...");
   }
+
+  bool hopeless() const { return in_a_row_ >= most_failures_in_a_row; }
 
   const std::optional<Error>& first_failure() const { return first_; }
 
@@ -93,6 +103,7 @@ class Outcome {
 
  private:
   std::vector<std::string> failures_;
+  std::size_t in_a_row_ = 0;
   std::optional<Error> first_;
 };
 
@@ -180,6 +191,7 @@ Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figu
       writing.add({std::move(frame), std::move(*picture), begun});
     }
     while (auto written = writing.take_ready()) outcome.add(std::move(*written));
+    if (outcome.hopeless()) break;
     progress.advance();
   }
   while (auto written = writing.take_next()) outcome.add(std::move(*written));

@@ -47,8 +47,9 @@ Result<void> check_output(const CaptureOptions& options);
 /// Renders the selected frames into pictures or a film. Frames are drawn one after another while those before are
 /// encoded and written on threads of their own; how many never changes what is written. What killed runs of the same
 /// output left half-written is removed first. Fails as cannot_write where nothing could be written or the folder has
-/// gone, as frames_failed where only some pictures could, as device_failed where the device or memory gave out, and as
-/// interrupted or terminated; in each case with every written picture whole and no film.
+/// gone, as frames_failed where only some pictures could (the rest is not tried after twenty failures in a row), as
+/// device_failed where the device or memory gave out, and as interrupted or terminated; in each case with every written
+/// picture whole and no film.
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options);
 
 }  // namespace sinew

@@ -66,16 +66,19 @@ Result<const FilmKind*> film_kind(const std::filesystem::path& file) {
   const std::string ending = lower(file.extension().string());
   for (const FilmKind& kind : kinds) {
     if (ending != kind.ending) continue;
-    if (avcodec_find_encoder_by_name(kind.encoder) == nullptr ||
-        av_guess_format(kind.muxer, nullptr, nullptr) == nullptr)
-      return failure(
-          ErrorKind::cannot_write,
-          "{}: FFmpeg's libraries here cannot write {}: they lack the encoder {}; install a build that has it "
-          "(Debian: libavcodec59 or libavcodec-extra59), or name a film of another ending",
-          file.string(), kind.ending, kind.encoder);
+    if (auto ok = check_encoder(kind, file); !ok) return pass_on(std::move(ok));
     return &kind;
   }
   return failure(ErrorKind::usage, "{}: expected a film's name that ends in .mp4, .webm or .gif", file.string());
+}
+
+Result<void> check_encoder(const FilmKind& kind, const std::filesystem::path& file) {
+  if (avcodec_find_encoder_by_name(kind.encoder) != nullptr && av_guess_format(kind.muxer, nullptr, nullptr) != nullptr)
+    return {};
+  return failure(ErrorKind::cannot_write,
+                 "{}: FFmpeg's libraries here cannot write {}: they lack the encoder {}; install a build that has it "
+                 "(Debian: libavcodec59 or libavcodec-extra59), or name a film of another ending",
+                 file.string(), kind.ending, kind.encoder);
 }
 
 AVRational frame_rate(double fps) {

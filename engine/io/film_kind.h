@@ -29,6 +29,9 @@ struct FilmKind {
 /// The kind of the file's ending, in any case of letters. Fails as check_film_name() does.
 Result<const FilmKind*> film_kind(const std::filesystem::path& file);
 
+/// Fails as cannot_write, with what to install, where this machine's FFmpeg lacks the kind's encoder or muxer.
+Result<void> check_encoder(const FilmKind& kind, const std::filesystem::path& file);
+
 /// Frames a second as the ratio that was meant: 24 is 24/1, 12.5 is 25/2, and 23.976, 23.98, 29.97, 59.94 are NTSC's
 /// 24000/1001, 30000/1001, 60000/1001.
 AVRational frame_rate(double fps);

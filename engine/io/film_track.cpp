@@ -13,6 +13,10 @@ namespace sinew {
 Result<FilmTrack> FilmTrack::create(const FilmKind& kind, const std::filesystem::path& file,
                                     const FilmTrackOptions& options) {
   if (auto ok = check_writable(file); !ok) return pass_on(std::move(ok));
+  std::error_code error_code;
+  if (std::filesystem::is_character_file(file, error_code))
+    return failure(ErrorKind::cannot_write, "{}: is a device; a film needs a file, in which its writer can go back",
+                   file.string());
   auto hidden = TemporaryFile::create(file);
   if (!hidden) return pass_on(std::move(hidden));
   FilmTrack track(file, std::move(*hidden));

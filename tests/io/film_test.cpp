@@ -257,6 +257,18 @@ TEST_F(Film, NamesSayWhatIsWritten) {
   expect_refused(FilmWriter::create(named("a.mov"), {64, 48}), ErrorKind::usage, ".mp4, .webm or .gif");
 }
 
+TEST_F(Film, AMissingEncoderIsSaidWithWhatToInstall) {
+  FilmKind kind = **film_kind("a.mp4");
+  EXPECT_TRUE(check_encoder(kind, "a.mp4"));
+  kind.encoder = "libx266";
+  expect_refused(check_encoder(kind, "shots/a.mp4"), ErrorKind::cannot_write, "shots/a.mp4");
+  expect_refused(check_encoder(kind, "a.mp4"), ErrorKind::cannot_write, "encoder libx266; install");
+  expect_refused(check_encoder(kind, "a.mp4"), ErrorKind::cannot_write, "Debian: libavcodec");
+  kind = **film_kind("a.mp4");
+  kind.muxer = "none";
+  expect_refused(check_encoder(kind, "a.mp4"), ErrorKind::cannot_write, ".mp4");
+}
+
 TEST_F(Film, NamesMayHoldAnything) {
   for (const char* name : {"pipe:1.mp4", "größe 50%d.webm", "-a.gif"}) {
     write(named(name), moving_squares(64, 48, 2));

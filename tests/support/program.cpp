@@ -92,6 +92,15 @@ pid_t spawn(const Arguments& arguments, const ProgramOptions& options, int out, 
       posix_spawn(&child, SINEW_PROGRAM, &actions, nullptr, pointers(words).data(), pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error(std::string("cannot start ") + SINEW_PROGRAM);
+  // Of the child and not of the test, as it starts: long before it writes or takes much memory.
+  const auto limit = [&](int resource, const std::optional<std::uint64_t>& bytes) {
+    if (!bytes) return;
+    const rlimit both{*bytes, *bytes};
+    if (prlimit(child, static_cast<__rlimit_resource>(resource), &both, nullptr) != 0)
+      throw std::runtime_error("prlimit failed");
+  };
+  limit(RLIMIT_FSIZE, options.largest_file);
+  limit(RLIMIT_AS, options.address_space);
   return child;
 }
 

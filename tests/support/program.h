@@ -28,6 +28,8 @@ struct ProgramOptions {
   std::filesystem::path folder{};                ///< working folder; empty: the test's own
   std::filesystem::path output{};                ///< where stdout goes instead of being captured
   std::chrono::milliseconds time_limit{60'000};  ///< after which the program is killed
+  std::optional<std::uint64_t> largest_file{};   ///< bytes: a write beyond fails like one to a full disk
+  std::optional<std::uint64_t> address_space{};  ///< bytes: an allocation beyond fails
 };
 
 /// How a run ended and what it said.
