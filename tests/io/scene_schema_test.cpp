@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-const fs::path scenes = fs::path(__FILE__).parent_path() / "../../scenes";
+const fs::path scenes = fs::path(SINEW_SOURCE_DIR) / "scenes";
 
 json read_json(const fs::path& file) {
   std::ifstream in(file);
