@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <system_error>
 
 #include <spdlog/spdlog.h>
 
@@ -27,6 +28,25 @@ std::optional<std::string> unknown_command(const CLI::App& program, int count, c
                      fmt::join(known, ", "));
 }
 
+/// What to say where a word looks like an option of the command and is none.
+std::optional<std::string> unknown_option(const CLI::App& program, int count, char** words) {
+  const std::vector<CLI::App*> parsed = program.get_subcommands();
+  if (parsed.empty()) return std::nullopt;
+  std::vector<std::string> all, shown;
+  for (const CLI::Option* option : parsed.front()->get_options())
+    for (const std::string& name : option->get_lnames()) {
+      all.push_back("--" + name);
+      // Those without a group are known only to be refused.
+      if (!option->get_group().empty()) shown.push_back("--" + name);
+    }
+  for (int i = 2; i < count; ++i) {
+    const std::string word = std::string(words[i]).substr(0, std::string_view(words[i]).find('='));
+    if (!word.starts_with("--") || std::find(all.begin(), all.end(), word) != all.end()) continue;
+    return fmt::format("{} has no option {}{}", parsed.front()->get_name(), word, did_you_mean(word, shown));
+  }
+  return std::nullopt;
+}
+
 /// A report that does not reach its reader is an output that cannot be written.
 int flush_report() {
   if (std::cout.flush()) return 0;
@@ -49,6 +69,11 @@ int run_program(int count, char** words) {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {
     return program.exit(asked);
+  } catch (const CLI::ExtrasError& extra) {
+    const auto said = unknown_command(program, count, words);
+    std::cerr << "error: " << (said ? said : unknown_option(program, count, words)).value_or(extra.what())
+              << "\nRun with --help for more information.\n";
+    return exit_code(ErrorKind::usage);
   } catch (const CLI::ParseError& wrong) {
     std::cerr << "error: " << unknown_command(program, count, words).value_or(wrong.what())
               << "\nRun with --help for more information.\n";
@@ -71,7 +96,9 @@ int main(int count, char** words) {
     spdlog::error("out of memory");
     return exit_code(ErrorKind::device_failed);
   } catch (const std::exception& error) {
-    spdlog::error("unexpected: {}", error.what());
-    return exit_code(ErrorKind::bad_input);
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    const bool no_thread = system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
+    spdlog::error("{}: {}", no_thread ? "no thread is to be had" : "unexpected", error.what());
+    return exit_code(no_thread ? ErrorKind::device_failed : ErrorKind::bad_input);
   }
 }

@@ -36,6 +36,7 @@ class Place {
 struct OpenedScene {
   Scene scene;
   bool bare_model = false;
+  std::optional<Bytes> model_bytes = std::nullopt;  ///< of a bare model's file, which was read to see what it is
 };
 
 OpenedScene bare_model_scene(const std::string& model) {
@@ -55,17 +56,19 @@ Result<OpenedScene> open_scene(const std::string& source) {
   auto bytes = read_file(source);
   if (!bytes) return pass_on(std::move(bytes));
   if (bytes->size() <= largest_scene_file && looks_like_scene(*bytes)) {
-    auto scene = read_scene(source);
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    auto scene = parse_scene(text, source, std::filesystem::path(source).parent_path());
     if (!scene) return pass_on(std::move(scene));
     return OpenedScene{std::move(*scene), false};
   }
-  return bare_model_scene(source);
+  OpenedScene opened = bare_model_scene(source);
+  opened.model_bytes = std::move(*bytes);
+  return opened;
 }
 
-/// Of the file and of all that it refers to: buffers and pictures may lie in files of their own.
-std::string content_hash(const Bytes& file, const Model& model) {
-  Sha256 hash;
-  hash.add(file);
+/// Of the file, which `hash` has seen, and of all that it refers to: buffers and pictures may lie in files of their
+/// own.
+std::string content_hash(Sha256& hash, const Model& model) {
   for (const EncodedImage& image : model.images) hash.add(image.bytes);
   for (const Skin& skin : model.skins) hash.add_all(skin.inverse_bind);
   for (const Clip& clip : model.clips)
@@ -90,18 +93,24 @@ std::string content_hash(const Bytes& file, const Model& model) {
   return hash.finish();
 }
 
-Result<void> load_model(StagedCharacter& character) {
+/// Reads the file once, so that the hash is that of what was parsed, whoever replaces the file meanwhile.
+Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
   const std::string name = character.scene.model.string();
   if (is_built_in_model(name)) {
     character.model = std::make_unique<Model>(make_arm());
     character.model_hash = name;
     return {};
   }
-  auto model = read_gltf(character.scene.model);
+  if (!bytes) {
+    auto read = read_file(character.scene.model);
+    if (!read) return pass_on(std::move(read));
+    bytes = std::move(*read);
+  }
+  Sha256 hash;
+  hash.add(*bytes);
+  auto model = read_gltf(character.scene.model, std::move(*bytes));
   if (!model) return pass_on(std::move(model));
-  auto bytes = read_file(character.scene.model);
-  if (!bytes) return pass_on(std::move(bytes));
-  character.model_hash = content_hash(*bytes, *model);
+  character.model_hash = content_hash(hash, *model);
   character.model = std::make_unique<Model>(std::move(*model));
   return {};
 }
@@ -182,8 +191,8 @@ Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Pl
 }
 
 /// What follows from the model alone.
-Result<void> prepare_model(StagedCharacter& character, const SceneOptions& options) {
-  if (auto ok = load_model(character); !ok) return ok;
+Result<void> prepare_model(StagedCharacter& character, const SceneOptions& options, std::optional<Bytes> bytes) {
+  if (auto ok = load_model(character, std::move(bytes)); !ok) return ok;
   const Model& model = *character.model;
   character.order = hierarchy_order(model);
   character.rest_rotations = rest_rotations(model, character.order);
@@ -201,9 +210,11 @@ Result<void> prepare_model(StagedCharacter& character, const SceneOptions& optio
   return {};
 }
 
-Result<void> prepare(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place,
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
                      std::vector<std::string>& problems) {
-  if (auto ok = prepare_model(character, options); !ok) return place.at("/model", std::move(ok));
+  const bool bare_model = opened.bare_model;
+  auto bytes = std::exchange(opened.model_bytes, std::nullopt);
+  if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
   std::vector<std::string> found = character.model->problems;
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (auto ok = find_tracks(character, place); !ok) return ok;
@@ -284,8 +295,7 @@ Result<Stage> open_stage(const SceneOptions& options) {
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
-    if (auto ok = prepare(staged, options, opened->bare_model, place, stage.problems); !ok)
-      return pass_on(std::move(ok));
+    if (auto ok = prepare(staged, options, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
   }
   if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
   stage.range = stage.scene.frames.value_or(natural_range(stage));

@@ -154,12 +154,12 @@ Result<void> Document::load_buffers(const json& list, std::span<const unsigned c
   return {};
 }
 
-Result<Document> open_document(const std::filesystem::path& file) {
+Result<Document> open_document(const std::filesystem::path& file, Bytes bytes) {
   Document document;
   document.folder = file.parent_path();
-  auto bytes = read_file(file, largest_input);
-  if (!bytes) return pass_on(std::move(bytes));
-  document.file_ = std::move(*bytes);
+  if (bytes.size() > largest_input)
+    return bad_input("{} bytes are more than the {} that are read", bytes.size(), largest_input);
+  document.file_ = std::move(bytes);
   document.input_left_ -= document.file_.size();
 
   const auto container = open_container(document.file_, document.problems);

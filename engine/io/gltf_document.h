@@ -53,7 +53,7 @@ class Document {
   void close_problems();
 
  private:
-  friend Result<Document> open_document(const std::filesystem::path& file);
+  friend Result<Document> open_document(const std::filesystem::path& file, Bytes bytes);
   void add_problem(std::string sentence);
   Result<void> load_buffers(const nlohmann::json& buffers, std::span<const unsigned char> binary, bool has_binary);
 
@@ -65,7 +65,8 @@ class Document {
   std::size_t problems_left_out_ = 0;
 };
 
-/// Opens .glb, .gltf or .vrm. Fails as bad_input; messages name the place but not the file.
-Result<Document> open_document(const std::filesystem::path& file);
+/// Opens .glb, .gltf or .vrm, `bytes` being what `file` holds. Fails as bad_input; messages name the place but not the
+/// file.
+Result<Document> open_document(const std::filesystem::path& file, Bytes bytes);
 
 }  // namespace sinew::gltf

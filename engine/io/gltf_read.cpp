@@ -41,8 +41,8 @@ Result<Model> read_document(gltf::Document& document) {
   return model;
 }
 
-Result<Model> read_file_content(const std::filesystem::path& file) {
-  auto document = gltf::open_document(file);
+Result<Model> read_content(const std::filesystem::path& file, Bytes bytes) {
+  auto document = gltf::open_document(file, std::move(bytes));
   if (!document) return pass_on(std::move(document));
   return read_document(*document);
 }
@@ -50,10 +50,16 @@ Result<Model> read_file_content(const std::filesystem::path& file) {
 }  // namespace
 
 Result<Model> read_gltf(const std::filesystem::path& file) {
+  auto bytes = read_file(file, gltf::largest_input);
+  if (!bytes) return pass_on(std::move(bytes));
+  return read_gltf(file, std::move(*bytes));
+}
+
+Result<Model> read_gltf(const std::filesystem::path& file, Bytes bytes) {
   const std::string name = file.string();
   Result<Model> model;
   try {
-    model = read_file_content(file);
+    model = read_content(file, std::move(bytes));
   } catch (const std::bad_alloc&) {
     return bad_input("{}: there is not enough memory to read it", name);
   }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "engine/core/files.h"
 #include "engine/core/result.h"
 #include "engine/model/model.h"
 
@@ -19,5 +20,8 @@ namespace sinew {
 /// Fails as bad_input, naming the file, the place in it ("accessors/3"), what is wrong and what would be right. What
 /// can be put right or done without is not a failure: Model::problems has a sentence about each.
 Result<Model> read_gltf(const std::filesystem::path& file);
+
+/// The same of bytes that were read already; `file` is their name, and files that they refer to lie beside it.
+Result<Model> read_gltf(const std::filesystem::path& file, Bytes bytes);
 
 }  // namespace sinew
