@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path scenes = fs::path(__FILE__).parent_path() / "../../scenes";
+const fs::path scenes = fs::path(SINEW_SOURCE_DIR) / "scenes";
 
 /// A scene with most of what there is.
 const std::string example = R"({ "sinew": 1, "fps": 24, "frames": [0, 47],
