@@ -1,5 +1,7 @@
 /// What scripts read: `--json` prints exactly one object with the promised keys.
 
+#include <thread>
+
 #include "tests/support/program.h"
 
 namespace sinew::test {
@@ -113,14 +115,18 @@ TEST_F(JsonOutput, Export) {
 
 TEST_F(JsonOutput, Bench) {
   const Json json = this->json({"bench", "--frames-timed", "5", "--size", "96x64"});
-  expect_keys(json,
-              {"device", "vertices", "triangles", "joints", "instances", "size", "stages", "fps", "deform_mverts_per_s",
-               "ssd_fps", "bulge_fps", "bulge_cost", "peak_memory_mib", "startup_ms"},
+  expect_keys(json, {"device",          "vertices",     "triangles",
+                     "joints",          "instances",    "size",
+                     "stages",          "fps",          "deform_mverts_per_s",
+                     "ssd_fps",         "bulge_fps",    "bulge_cost",
+                     "peak_memory_mib", "startup_ms",   "film_fps",
+                     "film_cpu_ms",     "film_overlap", "png_fps",
+                     "png_cpu_ms",      "png_overlap"},
               "bench");
   expect_device(json["device"]);
   EXPECT_EQ(json["size"], Json({96, 64}));
   EXPECT_EQ(json["instances"], 1);
-  for (const char* stage : {"pose", "upload", "deform", "draw", "readback", "encode", "frame"}) {
+  for (const char* stage : {"pose", "upload", "deform", "draw", "readback", "encode", "write", "film", "frame"}) {
     expect_keys(json["stages"][stage], {"median", "p95"}, stage);
     EXPECT_GT(json["stages"][stage]["median"], 0.0) << stage;
     EXPECT_GE(json["stages"][stage]["p95"], json["stages"][stage]["median"]) << stage;
@@ -128,6 +134,28 @@ TEST_F(JsonOutput, Bench) {
   for (const char* number : {"fps", "deform_mverts_per_s", "ssd_fps", "bulge_fps", "peak_memory_mib", "startup_ms"})
     EXPECT_GT(json[number], 0.0) << number;
   EXPECT_TRUE(json["bulge_cost"].is_number());
+  // Of the same run: the rate over the best that its stages and its cores allow.
+  const double cores = std::thread::hardware_concurrency();
+  for (const auto& [kind, last] : {std::pair{"film", Arguments{"film"}}, {"png", Arguments{"encode", "write"}}}) {
+    const auto number = [&](const char* key) { return json[kind + std::string(key)].get<double>(); };
+    double slowest = number("_cpu_ms") / cores;
+    Arguments stages{"pose", "upload", "deform", "draw", "readback"};
+    stages.insert(stages.end(), last.begin(), last.end());
+    for (const std::string& stage : stages) slowest = std::max(slowest, json["stages"][stage]["median"].get<double>());
+    EXPECT_GT(number("_fps"), 0.0) << kind;
+    EXPECT_NEAR(number("_overlap"), number("_fps") * slowest / 1000.0, 1e-9) << kind;
+  }
+}
+
+TEST_F(JsonOutput, BenchLeavesNothing) {
+  std::filesystem::create_directory(path("scratch"));
+  const ProgramOptions options{.environment = {{"TMPDIR", path("scratch")}}};
+  this->json({"bench", "--frames-timed", "3", "--size", "96x64"}, options);
+  EXPECT_TRUE(std::filesystem::is_empty(path("scratch")));
+  const ProgramResult result =
+      run({"bench", "--frames-timed", "3", "--size", "96x64"}, {.environment = {{"TMPDIR", path("absent")}}});
+  EXPECT_EQ(result.exit_code, 7) << result;
+  EXPECT_NE(result.err.find("TMPDIR"), std::string::npos) << result;
 }
 
 TEST_F(JsonOutput, BenchResamples) {
