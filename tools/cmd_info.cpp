@@ -1,8 +1,10 @@
 #include <iostream>
 
 #include "engine/app/describe.h"
+#include "engine/app/measure.h"
 #include "engine/core/files.h"
 #include "tools/command.h"
+#include "tools/muscle_report.h"
 
 namespace sinew::tools {
 namespace {
@@ -13,53 +15,14 @@ struct Words {
   CommonOptions common;
   std::string file;
   std::vector<std::string> poses;
+  std::string clip;
+  std::string girth, volume;  ///< joints to measure; empty: none
+  double at = 0.5;
   bool devices = false;
 };
 
 Json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-std::string node_name(const Model& model, int node) {
-  const std::string& name = model.nodes[node].name;
-  return name.empty() ? fmt::format("nodes/{}", node) : name;
-}
-
-Json muscle_json(const Model& model, const PlacedMuscle& placed) {
-  const Muscle& m = placed.muscle;
-  return {{"name", m.name},
-          {"bone", node_name(model, m.bone)},
-          {"child", node_name(model, m.child)},
-          {"driver", node_name(model, m.driver)},
-          {"tip", node_name(model, m.tip)},
-          {"facing", vector_json(placed.region.plane.normal)},
-          {"from", m.from},
-          {"to", m.to},
-          {"spread", m.spread},
-          {"peak", m.peak},
-          {"sigma", {m.sigma.x, m.sigma.y}},
-          {"rest_angle", m.rest_angle},
-          {"reference_angle", m.reference_angle},
-          {"centre", vector_json(placed.region.centre)},
-          {"region_vertices", placed.region.vertices.size()},
-          {"segment_vertices", placed.region.segment_vertices}};
-}
-
-/// The muscles of all characters, with their angle and activation where a pose was asked for.
-Json muscles_json(const Stage& stage, bool posed) {
-  Json muscles = Json::array();
-  for (std::size_t i = 0; i < stage.characters.size(); ++i) {
-    const StagedCharacter& character = stage.characters[i];
-    const CharacterState state = character_state(stage, i, stage.range.first);
-    for (std::size_t m = 0; m < character.muscles.size(); ++m) {
-      Json json = muscle_json(*character.model, character.muscles[m]);
-      if (posed) {
-        json["angle"] = character.muscles[m].driver.degrees(state.global);
-        json["activation"] = state.activations[m];
-      }
-      muscles.push_back(std::move(json));
-    }
-  }
-  return muscles;
-}
 
 Json humanoid_json(const StagedCharacter& character) {
   Json json = Json::object();
@@ -103,6 +66,10 @@ Json stage_json(const Stage& stage, bool posed) {
 /// The same for people: a line a fact, lists indented.
 void print_text(const Json& json) {
   for (const auto& [key, value] : json.items()) {
+    if (key == "muscles" && !value.empty()) {
+      std::cout << "muscles:\n" << muscle_table(value);
+      continue;
+    }
     if (!value.is_structured() || value.empty() || (value.is_array() && value.front().is_number())) {
       std::cout << fmt::format("{}: {}\n", key, value.empty() && value.is_structured() ? "none" : value.dump());
       continue;
@@ -114,6 +81,25 @@ void print_text(const Json& json) {
                                       inner.is_string() ? inner.get<std::string>() : inner.dump())
                         : fmt::format("  {}\n", inner.is_string() ? inner.get<std::string>() : inner.dump()));
   }
+}
+
+/// What --girth and --volume ask for.
+Result<void> add_measures(const Stage& stage, const Words& words, Json& json) {
+  if (!words.girth.empty()) {
+    const auto girth = measure_girth(stage, words.girth, words.at);
+    if (!girth) return bad_input("--girth {}: {}", words.girth, girth.error().message);
+    json["girth"] = {{"joint", words.girth}, {"at", words.at}, {"length", girth->length}, {"tape", girth->tape}};
+  }
+  if (!words.volume.empty()) {
+    const auto volume = measure_volume(stage, words.volume);
+    if (!volume) return bad_input("--volume {}: {}", words.volume, volume.error().message);
+    json["volume"] = {{"joint", words.volume},
+                      {"from", volume->from},
+                      {"to", volume->to},
+                      {"volume", volume->volume},
+                      {"open_edges", volume->open_edges}};
+  }
+  return {};
 }
 
 Result<void> list_devices(const Words& words) {
@@ -141,11 +127,17 @@ Result<void> info(const Words& words) {
   SceneWords scene;
   scene.scene = words.file;
   scene.poses = words.poses;
+  scene.clip = words.clip;
   auto options = scene_options(scene);
   if (!options) return pass_on(std::move(options));
+  if (!(words.at >= 0.0 && words.at <= 1.0))
+    return failure(ErrorKind::usage, "--at {}: expected a share of the limb's length, 0 to 1", words.at);
   auto stage = open_stage(*options);
   if (!stage) return pass_on(std::move(stage));
-  const Json json = stage_json(*stage, !words.poses.empty());
+  // What is measured on a bare model is its rest pose, turned by --pose, not the first moment of a clip of its own.
+  if (!stage->is_scene && words.clip.empty()) stage->characters.front().clip = -1;
+  Json json = stage_json(*stage, !words.poses.empty());
+  if (auto ok = add_measures(*stage, words, json); !ok) return ok;
   if (words.common.json) {
     print_json(json);
   } else {
@@ -158,13 +150,18 @@ Result<void> info(const Words& words) {
 
 void add_info(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand("info", "What a model or a scene holds");
-  command->footer("Example: sinew info character.glb --json");
+  command->footer("Example: sinew info character.glb --girth leftUpperArm --pose leftLowerArm=0,-90,0");
   auto words = std::make_shared<Words>();
   command->add_option("file", words->file, "A .glb, .gltf, .vrm or scene file");
   command->add_flag("--devices", words->devices, "List the Vulkan devices");
   command->add_option("--pose", words->poses, "JOINT=x,y,z: also report the muscles' angles in this pose")
       ->allow_extra_args(false);
-  for (const char* later : {"--girth", "--at"}) add_later_option(*command, later);
+  command->add_option("--clip", words->clip, "Measure at the first frame of this animation of the model's own");
+  auto* girth = command->add_option("--girth", words->girth, "Also report how far it is round the limb of this joint");
+  command->add_option("--at", words->at, "Where: 0 at the joint, 1 at the joint after it")
+      ->capture_default_str()
+      ->needs(girth);
+  command->add_option("--volume", words->volume, "Also report how much the limb of this joint holds");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return info(*words); }; });
 }

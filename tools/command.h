@@ -89,6 +89,7 @@ void add_info(CLI::App& program, Run& run);
 void add_parity(CLI::App& program, Run& run);
 void add_export(CLI::App& program, Run& run);
 void add_bench(CLI::App& program, Run& run);
+void add_muscles(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

@@ -64,6 +64,7 @@ int run_program(int count, char** words) {
   add_parity(program, run);
   add_export(program, run);
   add_bench(program, run);
+  add_muscles(program, run);
   add_compare(program, run);
   try {
     program.parse(count, words);

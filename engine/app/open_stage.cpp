@@ -221,9 +221,7 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, Op
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
   for (const PlacedMuscle& placed : character.muscles)
-    if (placed.region.vertices.empty())
-      found.push_back(fmt::format("muscle \"{}\": its region holds none of the segment's {} vertices; it moves nothing",
-                                  placed.muscle.name, placed.region.segment_vertices));
+    for (std::string& problem : placement_problems(placed)) found.push_back(std::move(problem));
   for (const std::string& problem : found)
     problems.push_back(fmt::format("{}: {}", character.scene.model.string(), problem));
   return {};

@@ -1,128 +1,214 @@
 #include "engine/body/muscle_placement.h"
 
+#include <array>
+
+#include "engine/body/belly_side.h"
+#include "engine/body/muscle_atlas.h"
 #include "engine/model/scene_words.h"
 
 namespace sinew {
 namespace {
 
-/// A rest pose bent by more than this shows by itself which side flexes.
-constexpr double telling_bend_degrees = 5.0;
+/// Limbs that have a neighbour under the same bone: below a spine bone all that does not lead to the child is not the
+/// muscle's. Bones of the left side; of each pair the first that the model has.
+constexpr std::array<std::array<HumanoidBone, 2>, 2> trunk_branches{
+    {{HumanoidBone::neck, HumanoidBone::head}, {HumanoidBone::right_shoulder, HumanoidBone::right_upper_arm}}};
 
-/// Numbers of a preset, in units of the limb: L its length, r its radius at the belly. engine/definitions.md 7.
-struct PresetShape {
-  HumanoidBone left_bone, left_child;
-  double from, to, spread;
-  double peak_radii;
-  double sigma_along_lengths, sigma_across_radii;
-  double reference_angle;
+bool is_trunk(HumanoidBone bone) {
+  return bone == HumanoidBone::spine || bone == HumanoidBone::chest || bone == HumanoidBone::upper_chest;
+}
+
+HumanoidBone on_side(HumanoidBone left_bone, MuscleSide side) {
+  return side == MuscleSide::left ? left_bone : mirrored_bone(left_bone);
+}
+
+/// The node of an atlas bone on a side, or -1. Spines have one to three bones: the nearest below stands in.
+int atlas_node(const Humanoid& humanoid, HumanoidBone left_bone, MuscleSide side) {
+  HumanoidBone bone = on_side(left_bone, side);
+  while (is_trunk(bone) && humanoid.find(bone) < 0 && bone != HumanoidBone::spine) bone = *parent_bone(bone);
+  return humanoid.find(bone);
+}
+
+/// Resolves the joints of one muscle, by name where the scene names them and else by preset.
+class Joints {
+ public:
+  Joints(const PlacementContext& character, const MuscleSpec& spec, std::string muscle)
+      : character_(character), spec_(spec), muscle_(std::move(muscle)) {}
+
+  Result<void> into(Muscle& muscle) const {
+    const AtlasMuscle* preset = spec_.preset ? &atlas_muscle(*spec_.preset) : nullptr;
+    using Bone = std::optional<HumanoidBone>;
+    if (auto ok = resolve(spec_.bone, preset ? Bone(preset->bone) : Bone(), muscle.bone); !ok) return ok;
+    if (auto ok = resolve(spec_.child, preset ? Bone(preset->child) : Bone(), muscle.child); !ok) return ok;
+    muscle.driver = muscle.child;
+    if (preset && !spec_.child) {
+      if (auto ok = resolve({}, usable_driver(*preset).joint, muscle.driver); !ok) return ok;
+    }
+    if (auto ok = resolve(spec_.driver, {}, muscle.driver); !ok) return ok;
+    const AtlasDriver* driver = atlas_driver(muscle.driver);
+    if (auto ok = resolve(spec_.before, driver ? driver->before : Bone(), muscle.before); !ok) return ok;
+    if (auto ok = resolve(spec_.tip, {}, muscle.tip); !ok) return ok;
+    return resolve_except(preset, muscle);
+  }
+
+  /// What the atlas says about this driver of the preset; null where it says nothing.
+  const AtlasDriver* atlas_driver(int node) const {
+    if (!spec_.preset) return nullptr;
+    for (const AtlasDriver& driver : atlas_muscle(*spec_.preset).drivers)
+      if (atlas_node(character_.humanoid, driver.joint, *spec_.side) == node) return &driver;
+    return nullptr;
+  }
+
+ private:
+  /// The first driver of the preset at which this model has an angle; else the first.
+  const AtlasDriver& usable_driver(const AtlasMuscle& preset) const {
+    for (const AtlasDriver& driver : preset.drivers) {
+      const int node = atlas_node(character_.humanoid, driver.joint, *spec_.side);
+      if (node >= 0 && driver_angle(character_.model, character_.humanoid, node)) return driver;
+    }
+    return preset.drivers.front();
+  }
+
+  Result<void> resolve(const std::optional<std::string>& name, std::optional<HumanoidBone> preset, int& node) const {
+    if (name) {
+      auto found = find_joint(character_.model, character_.humanoid, *name);
+      if (!found) return bad_input("muscle \"{}\": {}", muscle_, found.error().message);
+      node = *found;
+    } else if (preset) {
+      node = atlas_node(character_.humanoid, *preset, *spec_.side);
+      if (node < 0)
+        return bad_input(
+            "muscle \"{}\": {}: no joint of this model is the humanoid bone \"{}\"; `sinew info` lists the bones it "
+            "has",
+            muscle_, character_.model.file, humanoid_name(on_side(*preset, *spec_.side)));
+    }
+    return {};
+  }
+
+  Result<void> resolve_except(const AtlasMuscle* preset, Muscle& muscle) const {
+    if (spec_.except) {
+      for (const std::string& name : *spec_.except)
+        if (auto ok = resolve(name, {}, muscle.except.emplace_back(-1)); !ok) return ok;
+    } else if (preset && is_trunk(preset->bone)) {
+      for (const auto& branch : trunk_branches)
+        for (const HumanoidBone bone : branch)
+          if (const int node = atlas_node(character_.humanoid, bone, *spec_.side); node >= 0) {
+            muscle.except.push_back(node);
+            break;
+          }
+    }
+    return {};
+  }
+
+  const PlacementContext& character_;
+  const MuscleSpec& spec_;
+  std::string muscle_;
 };
 
-PresetShape preset_shape(MusclePreset preset) {
-  switch (preset) {
-    case MusclePreset::biceps:
-      return {HumanoidBone::left_upper_arm, HumanoidBone::left_lower_arm, 1.0 / 3.0, 1.0, 75.0, 0.30, 0.20, 0.70, 35.0};
-    case MusclePreset::calf:
-      return {HumanoidBone::left_lower_leg, HumanoidBone::left_foot, 0.05, 0.60, 60.0, 0.12, 0.15, 0.70, 150.0};
+Vec3 facing_of(const PlacementContext& character, const MuscleSpec& spec, const Muscle& muscle,
+               const JointAngle& driver) {
+  if (spec.facing) return *spec.facing;
+  const AtlasMuscle& preset = atlas_muscle(*spec.preset);
+  std::optional<JointAngle> bend = driver;
+  // A driver elsewhere says nothing about the bend at the segment's end, which the atlas' own driver may measure.
+  if (driver.at != muscle.child)
+    bend = spec.driver ? std::nullopt : driver_angle(character.model, character.humanoid, muscle.child);
+  return belly_direction(character.model, character.humanoid, character.rest.global, muscle, bend,
+                         *spec.side == MuscleSide::left, preset.side, preset.otherwise);
+}
+
+/// Peak and sigma from the limb's measures, where the scene does not give them.
+void measure(const PlacementContext& character, const MuscleSpec& spec, PlacedMuscle& placed) {
+  Muscle& muscle = placed.muscle;
+  if (spec.preset) {
+    const AtlasMuscle& preset = atlas_muscle(*spec.preset);
+    const double r = limb_radius(character.model, character.mesh, character.rest, muscle, placed.region);
+    const double range = std::abs(muscle.reference_angle - muscle.rest_angle);
+    muscle.peak = preset.peak * r * (range < preset.full_range ? range / preset.full_range : 1.0);
+    // Without a vertex to measure there is nothing to swell either; any width but 0 will do.
+    muscle.sigma = {preset.sigma_along * placed.region.plane.length, std::max(preset.sigma_across * r, 1e-9)};
   }
+  if (spec.peak) muscle.peak = *spec.peak;
+  if (spec.sigma) muscle.sigma = *spec.sigma;
+}
+
+Result<void> check_angles(const MuscleSpec& spec, const Muscle& muscle) {
+  // A rest angle read from joints that lie on a line is straight but for rounding, of which a swelling over the
+  // remaining thousandths of a degree would be the amplifier.
+  constexpr double least_range = 1.0;
+  const double range = std::abs(muscle.rest_angle - muscle.reference_angle);
+  if (range < 1e-6)
+    return bad_input("muscle \"{}\": its rest angle and its reference angle are both {} degrees; they must differ",
+                     muscle.name, muscle.rest_angle);
+  if (spec.preset && !spec.rest_angle && !spec.reference_angle && range < least_range)
+    return bad_input(
+        "muscle \"{}\": the rest pose holds its driver at {:.2f} degrees, where the whole swelling is due at {}: it "
+        "has nothing to grow by; give \"rest_angle\" or \"reference_angle\", or a model that rests otherwise",
+        muscle.name, muscle.rest_angle, muscle.reference_angle);
   return {};
-}
-
-std::string bone_name(HumanoidBone left_bone, MuscleSide side) {
-  return std::string(humanoid_name(side == MuscleSide::left ? left_bone : mirrored_bone(left_bone)));
-}
-
-/// Towards the inside of the bend at the bone's far end, across the bone; nothing where the limb is straight.
-std::optional<Vec3> flexor_side(const PlacementContext& character, const Muscle& muscle, const JointAngle& driver) {
-  const std::vector<Mat4>& global = character.rest.global;
-  if (driver.at != muscle.child || 180.0 - driver.degrees(global) < telling_bend_degrees) return std::nullopt;
-  const Vec3 axis = glm::normalize(Vec3(global[muscle.child][3]) - Vec3(global[muscle.bone][3]));
-  const Vec3 beyond = Vec3(global[driver.after][3]) - Vec3(global[muscle.child][3]);
-  return unit_or(beyond - glm::dot(beyond, axis) * axis, Vec3(0.0));
-}
-
-Vec3 preset_facing(const PlacementContext& character, MusclePreset preset, const Muscle& muscle,
-                   const JointAngle& driver) {
-  const Vec3 front = body_front(character.model, character.humanoid, character.rest.global);
-  if (preset == MusclePreset::calf) return -front;
-  return flexor_side(character, muscle, driver).value_or(front);
-}
-
-/// Fills in a preset's words where the scene did not say otherwise; numbers that need the limb's measures come later.
-MuscleSpec with_preset_joints(MuscleSpec spec) {
-  const PresetShape shape = preset_shape(*spec.preset);
-  const MuscleSide side = *spec.side;
-  const auto fill = [](auto& field, auto value) {
-    if (!field) field = value;
-  };
-  fill(spec.bone, bone_name(shape.left_bone, side));
-  fill(spec.child, bone_name(shape.left_child, side));
-  fill(spec.driver, *spec.child);
-  fill(spec.from, shape.from);
-  fill(spec.to, shape.to);
-  fill(spec.spread, shape.spread);
-  fill(spec.reference_angle, shape.reference_angle);
-  return spec;
-}
-
-Result<void> resolve_joints(const PlacementContext& character, const MuscleSpec& spec, Muscle& muscle) {
-  const auto resolve = [&](const std::optional<std::string>& name, int& node) -> Result<void> {
-    if (!name) return {};
-    auto found = find_joint(character.model, character.humanoid, *name);
-    if (!found) return bad_input("muscle \"{}\": {}", muscle.name, found.error().message);
-    node = *found;
-    return {};
-  };
-  if (auto ok = resolve(spec.bone, muscle.bone); !ok) return ok;
-  if (auto ok = resolve(spec.child, muscle.child); !ok) return ok;
-  muscle.driver = muscle.child;
-  if (auto ok = resolve(spec.driver, muscle.driver); !ok) return ok;
-  return resolve(spec.tip, muscle.tip);
 }
 
 }  // namespace
 
-Result<PlacedMuscle> place_muscle(const PlacementContext& character, const MuscleSpec& stated) {
-  const MuscleSpec spec = stated.preset ? with_preset_joints(stated) : stated;
+Result<PlacedMuscle> place_muscle(const PlacementContext& character, const MuscleSpec& spec) {
   PlacedMuscle placed;
   Muscle& muscle = placed.muscle;
   muscle.name = muscle_name(spec);
-  if (auto ok = resolve_joints(character, spec, muscle); !ok) return pass_on(std::move(ok));
+  const AtlasMuscle* preset = spec.preset ? &atlas_muscle(*spec.preset) : nullptr;
+  const Joints joints(character, spec, muscle.name);
+  if (auto ok = joints.into(muscle); !ok) return pass_on(std::move(ok));
 
-  const auto driver = driver_angle(character.model, character.humanoid, muscle.driver, muscle.tip);
+  const auto driver = driver_angle(character.model, character.humanoid, muscle.driver, muscle.tip, muscle.before);
   if (!driver)
     return bad_input(
         "muscle \"{}\": no angle can be measured at its driver \"{}\": there is no joint before or after it; "
         "name another driver, or a tip",
         muscle.name, character.model.nodes[muscle.driver].name);
   placed.driver = *driver;
+  if (const AtlasDriver* used = joints.atlas_driver(muscle.driver);
+      used && used != preset->drivers.data() && !spec.driver && !spec.child)
+    placed.note = fmt::format("{} has no joint after it to measure an angle to; {} drives the muscle instead",
+                              humanoid_name(on_side(preset->drivers.front().joint, *spec.side)),
+                              humanoid_name(on_side(used->joint, *spec.side)));
+  muscle.before = driver->before;
   muscle.tip = driver->after;
-  muscle.from = *spec.from;
-  muscle.to = *spec.to;
-  muscle.spread = *spec.spread;
-  muscle.facing = spec.facing ? *spec.facing : preset_facing(character, *spec.preset, muscle, *driver);
-  muscle.reference_angle = *spec.reference_angle;
+  muscle.from = preset ? spec.from.value_or(preset->from) : *spec.from;
+  muscle.to = preset ? spec.to.value_or(preset->to) : *spec.to;
+  muscle.spread = preset ? spec.spread.value_or(preset->spread) : *spec.spread;
+  muscle.facing = facing_of(character, spec, muscle, *driver);
   muscle.rest_angle = spec.rest_angle ? *spec.rest_angle : driver->degrees(character.rest.global);
-  if (std::abs(muscle.rest_angle - muscle.reference_angle) < 1e-6)
-    return bad_input("muscle \"{}\": its rest angle and its reference angle are both {} degrees; they must differ",
-                     muscle.name, muscle.rest_angle);
-
+  if (spec.reference_angle) {
+    muscle.reference_angle = *spec.reference_angle;
+  } else {
+    const AtlasDriver* known = joints.atlas_driver(muscle.driver);
+    muscle.reference_angle = (known ? *known : preset->drivers.front()).reference_angle;
+  }
+  if (auto ok = check_angles(spec, muscle); !ok) return pass_on(std::move(ok));
   if (muscle.from >= muscle.to)
     return bad_input("muscle \"{}\": its region runs from {} to {}; from must be less than to", muscle.name,
                      muscle.from, muscle.to);
   auto region = muscle_region(character.model, character.mesh, character.rest, muscle);
   if (!region) return pass_on(std::move(region));
   placed.region = std::move(*region);
-  if (spec.preset) {
-    const PresetShape shape = preset_shape(*spec.preset);
-    const double r = limb_radius(character.model, character.mesh, character.rest, muscle, placed.region);
-    muscle.peak = shape.peak_radii * r;
-    // Without a vertex to measure there is nothing to swell either; any width but 0 will do.
-    muscle.sigma = {shape.sigma_along_lengths * placed.region.plane.length,
-                    std::max(shape.sigma_across_radii * r, 1e-9)};
-  }
-  if (spec.peak) muscle.peak = *spec.peak;
-  if (spec.sigma) muscle.sigma = *spec.sigma;
+  measure(character, spec, placed);
   return placed;
+}
+
+std::vector<std::string> placement_problems(const PlacedMuscle& placed) {
+  constexpr std::size_t least_vertices = 5;
+  const std::size_t count = placed.region.vertices.size(), segment = placed.region.segment_vertices;
+  const std::string& name = placed.muscle.name;
+  std::vector<std::string> problems;
+  if (!placed.note.empty()) problems.push_back(fmt::format("muscle \"{}\": {}", name, placed.note));
+  if (count == 0)
+    problems.push_back(fmt::format(
+        "muscle \"{}\": its region holds none of the segment's {} vertices; it moves nothing", name, segment));
+  else if (count < least_vertices)
+    problems.push_back(
+        fmt::format("muscle \"{}\": its region holds only {} of the segment's {} vertices; below five a swelling shows "
+                    "corners, no arc",
+                    name, count, segment));
+  return problems;
 }
 
 std::vector<PlacedMuscle> default_muscles(const PlacementContext& character, std::vector<std::string>& problems) {

@@ -1,21 +1,9 @@
 #include "engine/deform/muscle_region.h"
 
+#include <algorithm>
+
 namespace sinew {
 namespace {
-
-/// True for the bone and every joint below it that is neither the child nor below the child: split and twist joints.
-std::vector<bool> segment_nodes(const Model& model, int bone, int child) {
-  std::vector<bool> in_segment(model.nodes.size());
-  std::vector<int> pending{bone};
-  while (!pending.empty()) {
-    const int node = pending.back();
-    pending.pop_back();
-    if (node == child) continue;
-    in_segment[node] = true;
-    pending.insert(pending.end(), model.nodes[node].children.begin(), model.nodes[node].children.end());
-  }
-  return in_segment;
-}
 
 double weight_share(const CharacterMesh& mesh, const std::vector<bool>& in_segment, std::size_t v) {
   double share = 0.0;
@@ -35,6 +23,19 @@ double angle_to_normal(const ProjectionPlane& plane, const Vec3& normal) {
 }
 
 }  // namespace
+
+std::vector<bool> segment_nodes(const Model& model, int bone, int child, std::span<const int> except) {
+  std::vector<bool> in_segment(model.nodes.size());
+  std::vector<int> pending{bone};
+  while (!pending.empty()) {
+    const int node = pending.back();
+    pending.pop_back();
+    if (node == child || std::find(except.begin(), except.end(), node) != except.end()) continue;
+    in_segment[node] = true;
+    pending.insert(pending.end(), model.nodes[node].children.begin(), model.nodes[node].children.end());
+  }
+  return in_segment;
+}
 
 Result<ProjectionPlane> projection_plane(const Muscle& muscle, std::span<const Mat4> rest_global) {
   ProjectionPlane plane;
@@ -60,7 +61,7 @@ Result<MuscleRegion> muscle_region(const Model& model, const CharacterMesh& mesh
   if (!plane) return pass_on(std::move(plane));
   MuscleRegion region;
   region.plane = *plane;
-  const std::vector<bool> in_segment = segment_nodes(model, muscle.bone, muscle.child);
+  const std::vector<bool> in_segment = segment_nodes(model, muscle.bone, muscle.child, muscle.except);
 
   Vec2 centre(0.0);
   for (std::size_t v = 0; v < mesh.vertices(); ++v) {
@@ -90,7 +91,7 @@ Result<MuscleRegion> muscle_region(const Model& model, const CharacterMesh& mesh
 double limb_radius(const Model& model, const CharacterMesh& mesh, const RestShape& rest, const Muscle& muscle,
                    const MuscleRegion& region) {
   const ProjectionPlane& plane = region.plane;
-  const std::vector<bool> in_segment = segment_nodes(model, muscle.bone, muscle.child);
+  const std::vector<bool> in_segment = segment_nodes(model, muscle.bone, muscle.child, muscle.except);
   const double centre = along_bone(plane, region.centre);
   for (double reach = 0.05; reach < 2.0; reach *= 2.0) {
     double sum = 0.0;

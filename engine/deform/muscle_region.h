@@ -2,6 +2,7 @@
 /// Which vertices a muscle swells, and where they lie on its projection plane. engine/definitions.md 3 and 6.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -37,11 +38,15 @@ struct MuscleRegion {
   std::size_t segment_vertices = 0;    ///< vertices of the whole limb segment
 };
 
+/// [nodes] true for the bone and every node below it that is neither `child` nor one of `except` nor below these: split
+/// and twist joints belong to a segment.
+std::vector<bool> segment_nodes(const Model& model, int bone, int child, std::span<const int> except = {});
+
 /// The plane of a muscle. Needs bone, child and facing; fails where the joints coincide or the facing runs along the
 /// limb.
 Result<ProjectionPlane> projection_plane(const Muscle& muscle, std::span<const Mat4> rest_global);
 
-/// Finds the segment and the region. Needs bone, child, facing, from, to and spread of the muscle.
+/// Finds the segment and the region. Needs bone, child, except, facing, from, to and spread of the muscle.
 Result<MuscleRegion> muscle_region(const Model& model, const CharacterMesh& mesh, const RestShape& rest,
                                    const Muscle& muscle);
 

@@ -15,6 +15,13 @@ void read_preset(const JsonValue& value, MuscleSpec& muscle) {
   if (!muscle.preset) side->error("a side without a preset, expected \"preset\" beside it, or no side");
 }
 
+std::vector<std::string> read_joints(const JsonValue& value) {
+  std::vector<std::string> joints;
+  if (!value.expect_list(0, value.size(), "a list of joints' names")) return joints;
+  for (std::size_t i = 0; i < value.size(); ++i) joints.push_back(value.item(i).text(joint_name));
+  return joints;
+}
+
 Vec3 read_facing(const JsonValue& value) {
   constexpr std::string_view expected = "a direction [x, y, z]";
   const Vec3 facing = value.vec3(expected);
@@ -61,8 +68,8 @@ void expect_whole(const JsonValue& value) {
 }  // namespace
 
 MuscleSpec read_muscle(const JsonValue& value) {
-  static const std::vector<std::string> known{"preset", "side", "name",   "bone",       "child",
-                                              "driver", "tip",  "facing", "from",       "to",
+  static const std::vector<std::string> known{"preset", "side", "name",   "bone",       "child",          "driver",
+                                              "before", "tip",  "except", "facing",     "from",           "to",
                                               "spread", "peak", "sigma",  "rest_angle", "reference_angle"};
   MuscleSpec muscle;
   if (!value.expect_object(known)) return muscle;
@@ -71,7 +78,9 @@ MuscleSpec read_muscle(const JsonValue& value) {
   if (const auto bone = value.find("bone")) muscle.bone = bone->text(joint_name);
   if (const auto child = value.find("child")) muscle.child = child->text(joint_name);
   if (const auto driver = value.find("driver")) muscle.driver = driver->text(joint_name);
+  if (const auto before = value.find("before")) muscle.before = before->text(joint_name);
   if (const auto tip = value.find("tip")) muscle.tip = tip->text(joint_name);
+  if (const auto except = value.find("except")) muscle.except = read_joints(*except);
   if (muscle.bone && muscle.bone == muscle.child)
     value.find("child")->error(
         fmt::format("expected another joint than \"bone\", found \"{}\" for both", *muscle.bone));

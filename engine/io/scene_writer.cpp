@@ -91,7 +91,9 @@ ordered_json muscle_to_json(const MuscleSpec& muscle) {
   write_if(object, "bone", muscle.bone);
   write_if(object, "child", muscle.child);
   write_if(object, "driver", muscle.driver);
+  write_if(object, "before", muscle.before);
   write_if(object, "tip", muscle.tip);
+  if (muscle.except) object["except"] = *muscle.except;
   write_if(object, "facing", muscle.facing);
   write_if(object, "from", muscle.from);
   write_if(object, "to", muscle.to);

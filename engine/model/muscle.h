@@ -2,6 +2,7 @@
 /// A muscle with every number resolved: engine/definitions.md 6.
 
 #include <string>
+#include <vector>
 
 #include "engine/core/math.h"
 
@@ -12,7 +13,9 @@ struct Muscle {
   int bone = -1;                  ///< node whose segment carries the belly
   int child = -1;                 ///< node at the segment's far end
   int driver = -1;                ///< node whose bending swells it
+  int before = -1;                ///< node that the driver's angle is measured from
   int tip = -1;                   ///< node beyond the driver that its angle is measured to
+  std::vector<int> except;        ///< nodes below `bone` that are not the segment's, with all below them
   Vec3 facing{0.0};               ///< rest-space direction that the belly faces
   double from = 0.0, to = 1.0;    ///< the region along the bone: 0 at `bone`, 1 at `child`
   double spread = 90.0;           ///< degrees round the limb to either side of `facing`

@@ -18,7 +18,7 @@ namespace sinew {
 
 // The words for each of these, in the same order, are in scene_words.h.
 enum class MuscleSide { left, right };  ///< the character's own
-enum class MusclePreset { biceps, calf };
+enum class MusclePreset { biceps, calf, triceps, forearm_flexors, quadriceps, hamstrings, deltoid, pectoral };
 enum class Expression { neutral, smile, laugh, anger, surprise, shout, fear, sadness, doubt, disgust };
 enum class View { front, back, left, right, top, three_quarter };
 enum class Shading { lit, flat, clay, normals, weights, bulge, depth };
@@ -38,7 +38,9 @@ struct MuscleSpec {
   std::optional<std::string> bone;        ///< joint whose segment carries the muscle
   std::optional<std::string> child;       ///< joint at the segment's far end
   std::optional<std::string> driver;      ///< joint whose bending drives it; absent without a preset: `child`
+  std::optional<std::string> before;      ///< joint that the driver's angle is measured from; absent: its parent
   std::optional<std::string> tip;         ///< joint beyond the driver; absent: the next on the chain
+  std::optional<std::vector<std::string>> except;  ///< joints below `bone` that are not the segment's; absent: none
   std::optional<Vec3> facing;             ///< towards the belly, any length but 0
   std::optional<double> from, to;         ///< along the segment, 0 at `bone`, 1 at `child`; within -1..2, from < to
   std::optional<double> spread;           ///< degrees to either side of `facing`, 0..180

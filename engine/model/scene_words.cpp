@@ -21,7 +21,8 @@ std::span<const std::string> side_names() {
 }
 
 std::span<const std::string> muscle_preset_names() {
-  static const std::array<std::string, 2> names{"biceps", "calf"};
+  static const std::array<std::string, 8> names{"biceps",     "calf",       "triceps", "forearm_flexors",
+                                                "quadriceps", "hamstrings", "deltoid", "pectoral"};
   return names;
 }
 

@@ -15,25 +15,25 @@ int node_before(const Model& model, const Humanoid& humanoid, int node) {
   return model.nodes[node].parent;
 }
 
-int node_after(const Model& model, const Humanoid& humanoid, int node) {
+}  // namespace
+
+int joint_after(const Model& model, const Humanoid& humanoid, int node) {
   if (const auto bone = bone_of(humanoid, node))
     if (const auto next = humanoid.next_present(*bone)) return humanoid.find(*next);
   const std::vector<int>& children = model.nodes[node].children;
   return children.empty() ? -1 : children.front();
 }
 
-}  // namespace
-
 double JointAngle::degrees(std::span<const Mat4> global) const {
   const Vec3 joint(global[at][3]);
   return angle_degrees(Vec3(global[before][3]) - joint, Vec3(global[after][3]) - joint);
 }
 
-std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& humanoid, int driver, int tip) {
+std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& humanoid, int driver, int tip, int before) {
   JointAngle angle;
   angle.at = driver;
-  angle.before = node_before(model, humanoid, driver);
-  angle.after = tip >= 0 ? tip : node_after(model, humanoid, driver);
+  angle.before = before >= 0 ? before : node_before(model, humanoid, driver);
+  angle.after = tip >= 0 ? tip : joint_after(model, humanoid, driver);
   if (angle.before < 0 || angle.after < 0) return std::nullopt;
   return angle;
 }

@@ -18,9 +18,13 @@ struct JointAngle {
   double degrees(std::span<const Mat4> global) const;
 };
 
-/// The angle at `driver`: to its humanoid parent (else its parent node), and to `tip` where it is given, else to the
-/// next joint of the humanoid chain, else to its only or first child. Nothing where either neighbour is missing.
-std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& humanoid, int driver, int tip = -1);
+/// The joint after a node: the next on the humanoid chain that the model has, else its first child, else -1.
+int joint_after(const Model& model, const Humanoid& humanoid, int node);
+
+/// The angle at `driver`: from `before` where it is given, else its humanoid parent, else its parent node; to `tip`
+/// where it is given, else joint_after(). Nothing where either neighbour is missing.
+std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& humanoid, int driver, int tip = -1,
+                                       int before = -1);
 
 /// delta of engine/definitions.md 6: 0 at the rest angle, 1 at the reference angle, linear beyond it, never negative; 0
 /// below 1e-9.

@@ -1,0 +1,100 @@
+#include "engine/app/muscle_scene.h"
+
+#include <algorithm>
+
+#include <fmt/ranges.h>
+
+#include "engine/body/muscle_spec.h"
+#include "engine/core/files.h"
+#include "engine/io/scene_file.h"
+#include "engine/model/scene_words.h"
+
+namespace sinew {
+namespace {
+
+/// What is wrong with a model on which a preset found no place on either side.
+std::string what_is_missing(const StagedCharacter& character, const std::vector<std::string>& reasons) {
+  std::vector<std::string> said = reasons;
+  const std::vector<HumanoidBone> missing = character.humanoid.missing_required();
+  if (!missing.empty()) {
+    std::vector<std::string_view> names;
+    for (const HumanoidBone bone : missing) names.push_back(humanoid_name(bone));
+    if (std::all_of(character.humanoid.node.begin(), character.humanoid.node.end(), [](int n) { return n < 0; }))
+      said = {"no humanoid joints were found in it"};
+    said.push_back(fmt::format("a humanoid needs {}, which this model lacks", fmt::join(names, ", ")));
+  }
+  for (const std::string& note : character.humanoid.notes) said.push_back(note);
+  return fmt::format("{}", fmt::join(said, "; "));
+}
+
+/// The muscles on both sides. A side without its joints is a problem, no failure.
+Result<std::vector<PlacedMuscle>> place(const StagedCharacter& character, const MuscleSceneOptions& options,
+                                        std::vector<std::string>& problems) {
+  const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
+  std::vector<PlacedMuscle> muscles;
+  for (const MusclePreset preset : options.presets) {
+    std::vector<std::string> reasons;
+    for (const MuscleSide side : {MuscleSide::left, MuscleSide::right}) {
+      MuscleSpec spec;
+      spec.preset = preset;
+      spec.side = side;
+      auto placed = place_muscle(context, spec);
+      if (!placed) {
+        reasons.push_back(placed.error().message);
+        continue;
+      }
+      placed->muscle.peak *= options.strength;
+      for (std::string& problem : placement_problems(*placed)) problems.push_back(std::move(problem));
+      muscles.push_back(std::move(*placed));
+    }
+    if (reasons.size() == 2 && !options.only_what_fits)
+      return bad_input("{}: no place for the muscle \"{}\": {}", options.model,
+                       muscle_preset_names()[static_cast<std::size_t>(preset)], what_is_missing(character, reasons));
+    problems.insert(problems.end(), reasons.begin(), reasons.end());
+  }
+  if (muscles.empty())
+    return bad_input("{}: no place for any muscle: {}", options.model, what_is_missing(character, {}));
+  return muscles;
+}
+
+/// The scene of a bare model, which plays its first clip.
+Result<Scene> scene_of(const StagedCharacter& character) {
+  const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
+  Scene scene;
+  Character& shown = scene.characters.emplace_back();
+  shown.model = character.scene.model;
+  if (character.clip >= 0) {
+    const std::string& name = character.model->clips[character.clip].name;
+    const bool tells = !name.empty() && name != "none";
+    shown.clip = tells ? ClipChoice(name) : ClipChoice(character.clip);
+  }
+  for (const PlacedMuscle& placed : character.muscles) {
+    auto spec = explicit_muscle(context, placed);
+    if (!spec) return pass_on(std::move(spec));
+    shown.muscles.push_back(std::move(*spec));
+  }
+  return scene;
+}
+
+}  // namespace
+
+Result<MuscleSceneReport> write_muscle_scene(const MuscleSceneOptions& options) {
+  SceneOptions opening;
+  opening.scene = options.model;
+  auto stage = open_stage(opening);
+  if (!stage) return pass_on(std::move(stage));
+  if (stage->is_scene) return bad_input("{}: is a scene; name a model (.glb, .gltf or .vrm)", options.model);
+  if (auto ok = check_not_an_input(*stage, options.output); !ok) return pass_on(std::move(ok));
+  MuscleSceneReport report{std::move(*stage), {}};
+  StagedCharacter& character = report.stage.characters.front();
+  auto muscles = place(character, options, report.problems);
+  if (!muscles) return pass_on(std::move(muscles));
+  character.muscles = std::move(*muscles);
+  const auto scene = scene_of(character);
+  if (!scene) return tl::unexpected<Error>(scene.error());
+  const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
+  if (auto ok = write_file(options.output, scene_text(*scene, folder)); !ok) return pass_on(std::move(ok));
+  return report;
+}
+
+}  // namespace sinew
