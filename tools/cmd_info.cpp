@@ -23,7 +23,6 @@ struct Words {
 
 Json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-
 Json humanoid_json(const StagedCharacter& character) {
   Json json = Json::object();
   for (std::size_t i = 0; i < humanoid_bone_count; ++i)

@@ -48,6 +48,11 @@ std::optional<Vec3> palm_side(const Limb& limb) {
   return limb.left ? palm : -palm;
 }
 
+Vec3 chest_side(const Limb& limb) {
+  const Vec3 left = body_left(limb.model, limb.humanoid, limb.global);
+  return limb.front() + 0.3 * (limb.left ? left : -left);
+}
+
 Vec3 outer_side(const Limb& limb) {
   const Vec3 left = body_left(limb.model, limb.humanoid, limb.global);
   return body_up(limb.model, limb.humanoid, limb.global) + (limb.left ? left : -left);
@@ -72,6 +77,8 @@ std::optional<Vec3> told(const Limb& limb, const std::optional<JointAngle>& bend
       return across(-limb.front());
     case BellySide::palm:
       return palm_side(limb);
+    case BellySide::front_outer:
+      return chest_side(limb);
     case BellySide::outer:
       return outer_side(limb);
   }

@@ -53,8 +53,8 @@ constexpr std::array<AtlasMuscle, 8> atlas{{
      80.0, 0.15, 0.15, 0.75, 60.0,
      "Raises the arm, in step with the elevation (Inman, Saunders and Abbott 1944); from the shoulder's rim to its "
      "tuberosity half way down the humerus. The near joint drives it: its angle is that between arm and trunk."},
-    {MusclePreset::pectoral, upper_chest, left_upper_arm, arm_crosses, BellySide::front, BellySide::front, 0.25, 0.95,
-     60.0, 0.10, 0.22, 0.45, 45.0,
+    {MusclePreset::pectoral, upper_chest, left_upper_arm, arm_crosses, BellySide::front_outer, BellySide::front, 0.35,
+     0.95, 60.0, 0.10, 0.20, 0.45, 45.0,
      "Pectoralis major draws the arm across the chest and down to the side (Gray's Anatomy), and is shortest with the "
      "elbow before the breastbone. The near joint of the arm drives it; the angle is to the other shoulder."},
 }};

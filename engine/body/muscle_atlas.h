@@ -13,12 +13,13 @@ namespace sinew {
 
 /// Which side of its limb a belly looks to, found on each model from its joints.
 enum class BellySide {
-  flexor,    ///< the inside of the bend that the rest pose shows at the segment's far end
-  extensor,  ///< the outside of that bend
-  front,     ///< the body's
-  back,      ///< the body's
-  palm,      ///< where the palm looks
-  outer,     ///< away from the trunk: up on an arm held out, sideways on one that hangs
+  flexor,       ///< the inside of the bend that the rest pose shows at the segment's far end
+  extensor,     ///< the outside of that bend
+  front,        ///< the body's
+  back,         ///< the body's
+  palm,         ///< where the palm looks
+  front_outer,  ///< between the body's front and its side, as one half of the chest looks
+  outer,        ///< away from the trunk: up on an arm held out, sideways on one that hangs
 };
 
 /// A joint whose angle swells a muscle. Bones are those of the left side.
@@ -32,7 +33,7 @@ struct AtlasDriver {
 /// of the left side.
 struct AtlasMuscle {
   MusclePreset preset;
-  HumanoidBone bone, child;              ///< the segment; a spine bone that a model lacks gives way to the one below it
+  HumanoidBone bone, child;              ///< the segment; for a spine bone see muscle_placement
   std::span<const AtlasDriver> drivers;  ///< the first that the model has; a scene may name another
   BellySide side;
   BellySide otherwise;  ///< where the model does not tell `side`: no bend, no fingers, a limb that runs along it

@@ -29,6 +29,24 @@ int atlas_node(const Humanoid& humanoid, HumanoidBone left_bone, MuscleSide side
   return humanoid.find(bone);
 }
 
+/// The spine bone under a shoulder from which a muscle of the breast fans out: the highest that stands clearly below
+/// the shoulder, else the lowest. Rigs put the last spine bone anywhere from the ribs to the collar, and an axis that
+/// runs level with the shoulder would have the breast beside it.
+int fan_origin(const PlacementContext& character, int shoulder) {
+  const std::vector<Mat4>& global = character.rest.global;
+  const Vec3 up = body_up(character.model, character.humanoid, global);
+  int lowest = -1;
+  for (const HumanoidBone bone : {HumanoidBone::upper_chest, HumanoidBone::chest, HumanoidBone::spine}) {
+    const int node = character.humanoid.find(bone);
+    if (node < 0) continue;
+    lowest = node;
+    const Vec3 way = Vec3(global[shoulder][3]) - Vec3(global[node][3]);
+    const double rise = glm::dot(way, up);
+    if (rise > 0.6 * glm::length(way - rise * up)) break;
+  }
+  return lowest;
+}
+
 /// Resolves the joints of one muscle, by name where the scene names them and else by preset.
 class Joints {
  public:
@@ -40,6 +58,7 @@ class Joints {
     using Bone = std::optional<HumanoidBone>;
     if (auto ok = resolve(spec_.bone, preset ? Bone(preset->bone) : Bone(), muscle.bone); !ok) return ok;
     if (auto ok = resolve(spec_.child, preset ? Bone(preset->child) : Bone(), muscle.child); !ok) return ok;
+    if (preset && !spec_.bone && is_trunk(preset->bone)) muscle.bone = fan_origin(character_, muscle.child);
     muscle.driver = muscle.child;
     if (preset && !spec_.child) {
       if (auto ok = resolve({}, usable_driver(*preset).joint, muscle.driver); !ok) return ok;

@@ -8,7 +8,8 @@
 namespace sinew {
 namespace {
 
-constexpr double step = 0.01;
+/// An end moves inwards by one part of so many.
+constexpr double steps = 100.0;
 
 /// Sets of triangles that are joined one by one.
 class Joined {
@@ -107,8 +108,9 @@ double volume_of(const PosedSurface& surface, const Slab& slab, const Part& part
 
 /// The nearest share from `at` towards the middle where a section is the limb's alone.
 Result<double> own_end(const PosedSurface& surface, int joint, int child, double at, double middle) {
-  for (double share = at;; share += at < middle ? step : -step) {
-    const bool last = std::abs(share - middle) < step;
+  for (int moved = 0;; ++moved) {
+    const double share = at + (at < middle ? moved : -moved) / steps;
+    const bool last = std::abs(share - middle) < 1.0 / steps;
     auto section = limb_section(surface, joint, child, share);
     if (section) return share;
     if (last) return pass_on(std::move(section));

@@ -243,14 +243,27 @@ TEST_F(Placement, AWholeHumanoidHasFourMusclesByDefault) {
   EXPECT_TRUE(problems.empty());
 }
 
-TEST_F(Placement, WhatHasNoDriverIsLeftOutAndNamed) {
-  // Without toes and without anything below the foot a calf has no angle.
+TEST_F(Placement, ACalfWithoutToesIsDrivenByTheKneeAndSaysSo) {
+  // Without toes and without anything below the foot the ankle has no angle.
   const Fleshed footless(fleshed(build(convention("Quaternius")).model));
   std::vector<std::string> problems;
-  EXPECT_EQ(default_muscles(footless.context(), problems).size(), 2u);
-  ASSERT_EQ(problems.size(), 2u);
-  EXPECT_NE(problems[0].find("\"calf_left\""), std::string::npos) << problems[0];
-  EXPECT_NE(problems[1].find("\"calf_right\""), std::string::npos) << problems[1];
+  const std::vector<PlacedMuscle> muscles = default_muscles(footless.context(), problems);
+  ASSERT_EQ(muscles.size(), 4u);
+  EXPECT_TRUE(problems.empty());
+  for (const std::size_t calf : {2u, 3u}) {
+    EXPECT_EQ(muscles[calf].muscle.driver, muscles[calf].muscle.bone);
+    EXPECT_EQ(muscles[calf].muscle.reference_angle, 60.0) << "of the knee, not of the ankle";
+    ASSERT_EQ(placement_problems(muscles[calf]).size(), 1u);
+    EXPECT_NE(placement_problems(muscles[calf])[0].find("LowerLeg drives"), std::string::npos);
+  }
+  EXPECT_TRUE(placement_problems(muscles[0]).empty());
+}
+
+TEST_F(Placement, ADriverWithoutAnAngleIsRefused) {
+  const Fleshed footless(fleshed(build(convention("Quaternius")).model));
+  MuscleSpec spec = preset(MusclePreset::calf);
+  spec.driver = "leftFoot";
+  expect_refused(footless, spec, {"\"calf_left\"", "no angle can be measured"});
 }
 
 TEST_F(Placement, WhatIsNoHumanoidOrHasNoSkinHasNone) {
