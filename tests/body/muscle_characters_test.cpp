@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "engine/deform/reference.h"
 #include "engine/io/gltf_read.h"
-#include "tests/body/fleshed_skeleton.h"
+#include "tests/body/posed_character.h"
 #include "tests/support/assets.h"
-#include "tests/support/tube.h"
 
 namespace sinew::test {
 namespace {
@@ -108,65 +108,59 @@ TEST(MuscleCharacters, ARigWithTwistJointsHasTheSameMuscles) {
   }
 }
 
-/// Length of the convex hull of the points seen along the axis: what a tape round them measures.
-double tape_girth(const ProjectionPlane& plane, const std::vector<Vec3>& points) {
-  std::vector<Vec2> flat;
-  for (const Vec3& p : points)
-    flat.push_back({glm::dot(p - plane.bone, plane.side), glm::dot(p - plane.bone, plane.normal)});
-  std::sort(flat.begin(), flat.end(), [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Vec2> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t begin = hull.size();
-    for (const Vec2& p : flat) {
-      while (hull.size() >= begin + 2) {
-        const Vec2 a = hull[hull.size() - 2], b = hull.back();
-        if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) > 0) break;
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(flat.begin(), flat.end());
-  }
-  double length = 0.0;
-  for (std::size_t i = 0; i < hull.size(); ++i) length += glm::distance(hull[i], hull[(i + 1) % hull.size()]);
-  return length;
+/// Growth of the tape girth at the muscle's centre.
+struct Growth {
+  double straight_to_full;  ///< from the straight joint to the reference angle, on rigid skin: what the muscle does
+  double on_off;            ///< at the reference angle, against the same pose without muscles, linear blend skin
+  double with_skin;         ///< from straight to the reference angle, linear blend skin, which thins as it bends
+};
+
+Growth growth_of(const Fleshed& body, const PlacedMuscle& placed, double straight_degrees) {
+  const PosedCharacter straight = flexed_to(body, placed, straight_degrees),
+                       full = flexed_to(body, placed, placed.muscle.reference_angle);
+  EXPECT_EQ(straight.activation(placed), 0.0);
+  EXPECT_NEAR(full.activation(placed), 1.0, 1e-6);
+  const auto tape = [&](const PosedCharacter& pose, BulgeMode mode, Deformer deformer) {
+    return pose.tape_at_centre(placed, mode, deformer);
+  };
+  const double full_ssd = tape(full, BulgeMode::on, Deformer::ssd);
+  return {tape(full, BulgeMode::on, Deformer::rigid) / tape(straight, BulgeMode::on, Deformer::rigid) - 1.0,
+          full_ssd / tape(full, BulgeMode::off, Deformer::ssd) - 1.0,
+          full_ssd / tape(straight, BulgeMode::on, Deformer::ssd) - 1.0};
 }
 
-/// Girth of the segment's surface cut across the limb at its region's centre.
-double girth_at_centre(const Fleshed& body, const PlacedMuscle& placed, const std::vector<Vec3>& positions) {
-  const ProjectionPlane& plane = placed.region.plane;
-  const double cut = glm::dot(placed.region.centre, plane.axis);
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < body.mesh.triangles.size(); ++i) {
-    const std::uint32_t a = body.mesh.triangles[i], b = body.mesh.triangles[i - i % 3 + (i + 1) % 3];
-    if (body.mesh.bone(a) != placed.muscle.bone || body.mesh.bone(b) != placed.muscle.bone) continue;
-    const double da = glm::dot(positions[a], plane.axis) - cut, db = glm::dot(positions[b], plane.axis) - cut;
-    if ((da < 0) != (db < 0)) points.push_back(glm::mix(positions[a], positions[b], da / (da - db)));
-  }
-  return tape_girth(plane, points);
+void print(const std::string& file, const PlacedMuscle& placed, const Growth& growth) {
+  std::cout << fmt::format(
+      "{}: {}: girth {:+.1f} % by the muscle from straight to full, {:+.1f} % on against off, "
+      "{:+.1f} % with what linear blend skinning loses\n",
+      file, placed.muscle.name, 100 * growth.straight_to_full, 100 * growth.on_off, 100 * growth.with_skin);
 }
 
 TEST(MuscleCharacters, TheGirthGrowsAsAFlexedArmsDoes) {
   SINEW_ASSETS_OR_SKIP(assets);
+  for (const char* file : {"makehuman/mh_male_game.glb", "makehuman/mh_male_default.glb", "mesh2motion/human-male.glb",
+                           "mesh2motion/human-sintel.glb", "quaternius/modular_men_Casual.glb"}) {
+    const Fleshed body = read(assets / "characters" / file);
+    for (const PlacedMuscle& biceps : muscles_of(body, MusclePreset::biceps)) {
+      const Growth growth = growth_of(body, biceps, 180.0);
+      print(file, biceps, growth);
+      // Rowers' arms, flexed and tensed: +10.4 %.
+      // Sintel's slender arm has so few rings that none stands at the centre, and the peak is cut off: 7.2 to 7.7 %.
+      EXPECT_GT(growth.straight_to_full, std::string_view(file).ends_with("sintel.glb") ? 0.07 : 0.08) << file;
+      EXPECT_LT(growth.straight_to_full, 0.13) << file;
+    }
+  }
+}
+
+TEST(MuscleCharacters, TheCalfsGirthGrowsOnTiptoe) {
+  SINEW_ASSETS_OR_SKIP(assets);
   const Fleshed male = read(assets / "characters/makehuman/mh_male_game.glb");
-  const Pose pose = rest_pose(male.model);
-  const std::vector<Mat34> palette = palette_transforms(male.mesh, male.rest.global);
-  const std::vector<double> weights = morph_slot_weights(male.mesh, pose);
-  const auto growth = [&](MusclePreset preset) {
-    const PlacedMuscle placed = muscles_of(male, preset)[0];
-    const ActiveMuscle active[] = {{placed.muscle, placed.region, 1.0}};
-    const auto girth = [&](BulgeMode mode) {
-      return girth_at_centre(
-          male, placed,
-          deform_reference(male.mesh, male.rest, {palette, weights, active, Deformer::ssd, mode}).positions);
-    };
-    return girth(BulgeMode::on) / girth(BulgeMode::off) - 1.0;
-  };
-  // Measured in the rest pose, where the height is that of full flexion; the last digit given, and a little for where
-  // exactly the section is taken.
-  EXPECT_NEAR(growth(MusclePreset::biceps), 0.105, 0.01);
-  EXPECT_NEAR(growth(MusclePreset::calf), 0.031, 0.005);
+  for (const PlacedMuscle& calf : muscles_of(male, MusclePreset::calf)) {
+    const Growth growth = growth_of(male, calf, calf.muscle.rest_angle);
+    print("mh_male_game.glb", calf, growth);
+    // The last digit that definitions.md gives, and a little for where exactly the section is taken.
+    EXPECT_NEAR(growth.straight_to_full, 0.031, 0.005);
+  }
 }
 
 }  // namespace
