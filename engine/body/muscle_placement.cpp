@@ -156,14 +156,14 @@ Result<void> check_angles(const MuscleSpec& spec, const Muscle& muscle) {
   // remaining thousandths of a degree would be the amplifier.
   constexpr double least_range = 1.0;
   const double range = std::abs(muscle.rest_angle - muscle.reference_angle);
-  if (range < 1e-6)
-    return bad_input("muscle \"{}\": its rest angle and its reference angle are both {} degrees; they must differ",
-                     muscle.name, muscle.rest_angle);
   if (spec.preset && !spec.rest_angle && !spec.reference_angle && range < least_range)
     return bad_input(
         "muscle \"{}\": the rest pose holds its driver at {:.2f} degrees, where the whole swelling is due at {}: it "
         "has nothing to grow by; give \"rest_angle\" or \"reference_angle\", or a model that rests otherwise",
         muscle.name, muscle.rest_angle, muscle.reference_angle);
+  if (range < 1e-6)
+    return bad_input("muscle \"{}\": its rest angle and its reference angle are both {} degrees; they must differ",
+                     muscle.name, muscle.rest_angle);
   return {};
 }
 
