@@ -91,5 +91,6 @@ void add_export(CLI::App& program, Run& run);
 void add_bench(CLI::App& program, Run& run);
 void add_muscles(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
+void add_figure(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

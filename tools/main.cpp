@@ -66,6 +66,7 @@ int run_program(int count, char** words) {
   add_bench(program, run);
   add_muscles(program, run);
   add_compare(program, run);
+  add_figure(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {
