@@ -74,11 +74,6 @@ void HalfCage::cut(std::span<const Index> line) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) seams.insert(cage_edge(line[i], line[i + 1]));
 }
 
-void HalfCage::cut_loop(const Loop& loop) {
-  cut(loop);
-  seams.insert(cage_edge(loop.front(), loop.back()));
-}
-
 HalfCage figure_cage(const MeasuredBody& body) {
   HalfCage cage;
   const TrunkLoops trunk = add_trunk(cage, body);

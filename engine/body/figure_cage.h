@@ -71,7 +71,6 @@ struct HalfCage {
   void cap_six(const Loop& loop);
   /// A seam along the line of vertices.
   void cut(std::span<const Index> line);
-  void cut_loop(const Loop& loop);
   const Vec3& at(Index vertex) const { return vertices[vertex].position; }
 };
 

@@ -11,11 +11,13 @@ constexpr double limb_looseness = 0.12, junction_looseness = 0.5;
 /// The palm's end is a lattice of 4 fingers across and 2 cells from palm to back.
 constexpr int fingers = 4, deep = 2;
 constexpr int palm_rows = 3;
+/// Shares of the palm's length; the thumb grows between the second and the third.
+constexpr double palm_stations[palm_rows + 1] = {0.0, 0.24, 0.64, 1.0};
 /// Row of the palm in whose radial side the thumb's hole is.
 constexpr int thumb_row = 1;
 
-/// The line that is cut open from the shoulder to the little finger.
-constexpr std::size_t ulnar = 5, radial = 11;
+/// The line that is cut open from the shoulder to the thumb.
+constexpr std::size_t radial = 11;
 
 /// Where a quarter turn of lattice corners lies on the wrist's ring, lattice (finger, depth): from the index finger's
 /// palmar corner to the little finger, to the back of the hand, and home.
@@ -88,14 +90,15 @@ void add_thumb(HalfCage& cage, const MeasuredBody& body, const std::vector<Loop>
 Loop add_arm(HalfCage& cage, const MeasuredBody& body, const Loop& shoulder) {
   const BodyPart& arm = body.part("arm");
   const double elbow = arm.along(body.joint("lowerarm01")), wrist = arm.along(body.joint("wrist")) - 0.004;
-  const double first = 0.032, bend = 0.016;
-  std::vector<double> stations;
-  for (int n = 0; n < 4; ++n) stations.push_back(glm::mix(first, elbow - bend, n / 4.0));
+  const double first = 0.024, bend = 0.016;
+  // Close together where the deltoid moves, and round the elbow.
+  std::vector<double> stations{first, first + 0.011, first + 0.023};
+  for (int n = 1; n <= 2; ++n) stations.push_back(glm::mix(stations[2], elbow - bend, n / 3.0));
   for (const double t : {elbow - bend, elbow, elbow + bend}) stations.push_back(t);
   for (int n = 1; n <= 4; ++n) stations.push_back(glm::mix(elbow + bend, wrist, n / 4.0));
 
   const Vec3 axis = arm.direction(0.0);
-  Loop previous = shoulder, seam{shoulder[ulnar]};
+  Loop previous = shoulder, seam{shoulder[radial]};
   for (std::size_t r = 0; r < stations.size(); ++r) {
     // The first rings lean as the shoulder's loop does; towards the wrist they turn onto the palm's corners.
     const double lean = std::max(0.0, 1.0 - (static_cast<double>(r) + 1.0) / 2.5);
@@ -111,7 +114,7 @@ Loop add_arm(HalfCage& cage, const MeasuredBody& body, const Loop& shoulder) {
       ring.push_back(vertex);
     }
     cage.bridge(previous, ring);
-    seam.push_back(ring[ulnar]);
+    seam.push_back(ring[radial]);
     previous = ring;
   }
   cage.cut(seam);
@@ -139,7 +142,7 @@ void add_hand(HalfCage& cage, const MeasuredBody& body, const Loop& wrist) {
   const auto outline = palm_outline();
   std::vector<Loop> rows{wrist};
   for (int r = 1; r <= palm_rows; ++r) {
-    const double f = static_cast<double>(r) / palm_rows;
+    const double f = palm_stations[r];
     Loop row;
     for (std::size_t m = 0; m < arm_ring; ++m) {
       const auto [i, j] = outline[m];
@@ -169,7 +172,7 @@ void add_hand(HalfCage& cage, const MeasuredBody& body, const Loop& wrist) {
     cut_digit(cage, add_digit(cage, *finger[f], finger_chain(f + 2), loop, stations, angles));
   }
   add_thumb(cage, body, rows);
-  cage.cut(Loop{rows[0][ulnar], rows[1][ulnar], rows[2][ulnar], rows[3][ulnar]});
+  cage.cut(Loop{rows[0][radial], rows[1][radial]});
   cage.cut(Loop{rows[2][radial], rows[3][radial]});
 }
 

@@ -9,7 +9,7 @@ constexpr double limb_looseness = 0.12, junction_looseness = 0.5, foot_looseness
 
 /// The ankle's ring as a block: 3 edges wide, 4 long, the foot's columns 2 high; 5 toes.
 constexpr int wide = 3, longways = 4, high = 2, toes = 5;
-constexpr std::size_t back_seam = 8;  ///< of the leg's ring
+constexpr std::size_t inner_seam = 5;  ///< of the leg's ring, from the groin to the ankle
 
 using Cell = std::array<int, 3>;  ///< i from the outer to the inner side, j upwards, k from heel to front
 
@@ -64,8 +64,6 @@ Loop add_heel(HalfCage& cage, const BodyPart& foot, double ankle_t, const Loop& 
     for (int k = 0; k < longways; ++k)
       cage.quads.push_back({block[{i, 0, k}], block[{i, 0, k + 1}], block[{i + 1, 0, k + 1}], block[{i + 1, 0, k}]});
 
-  const auto [seam_i, seam_k] = outline[back_seam];
-  cage.cut(Loop{block[{seam_i, 2, seam_k}], block[{seam_i, 1, seam_k}], block[{seam_i, 0, seam_k}]});
   Loop front;
   for (int i = 0; i < wide; ++i) front.push_back(block[{i, high, longways}]);
   for (int j = high; j > 0; --j) front.push_back(block[{wide, j, longways}]);
@@ -157,10 +155,11 @@ Loop add_leg(HalfCage& cage, const MeasuredBody& body, const Loop& groin) {
   std::vector<double> stations;
   for (int n = 0; n < 4; ++n) stations.push_back(glm::mix(first, knee - bend, n / 4.0));
   for (const double t : {knee - bend, knee, knee + bend}) stations.push_back(t);
-  for (int n = 1; n <= 4; ++n) stations.push_back(glm::mix(knee + bend, last, n / 4.0));
+  // Further apart on the calf's belly, closer towards the ankle.
+  for (const double f : {0.30, 0.60, 0.82, 1.0}) stations.push_back(glm::mix(knee + bend, last, f));
 
   const Vec3 axis = leg.direction(0.0);
-  Loop previous = groin, seam{groin[back_seam]};
+  Loop previous = groin, seam{groin[inner_seam]};
   for (std::size_t r = 0; r < stations.size(); ++r) {
     const double lean = std::max(0.0, 1.0 - (static_cast<double>(r) + 1.0) / 3.0);
     const double turn = 0.5 * static_cast<double>(r + 1) / static_cast<double>(stations.size());
@@ -175,7 +174,7 @@ Loop add_leg(HalfCage& cage, const MeasuredBody& body, const Loop& groin) {
       ring.push_back(vertex);
     }
     cage.bridge(previous, ring);
-    seam.push_back(ring[back_seam]);
+    seam.push_back(ring[inner_seam]);
     previous = ring;
   }
   cage.cut(seam);

@@ -98,9 +98,15 @@ void add_seams(HalfCage& cage, Lattice& lattice, const TrunkLoops& loops) {
   cage.cut(side);
   cage.cut(shoulder);
   cage.cut(Loop{lattice.at(1, 0, middle_of_side), lattice.at(0, 0, middle_of_side)});
-  cage.cut_loop(loops.arm);
-  cage.cut_loop(loops.leg);
-  cage.cut(loops.neck);
+  // Arms, legs and head stay with the back.
+  constexpr std::size_t arm_front = 7, arm_below = 2, leg_outside = 12, leg_inside = 6, neck_side = 4;
+  Loop arm(loops.arm.begin() + arm_front, loops.arm.end()), neck(loops.neck.begin(), loops.neck.begin() + neck_side + 1);
+  arm.insert(arm.end(), loops.arm.begin(), loops.arm.begin() + arm_below + 1);
+  Loop leg(loops.leg.begin() + leg_outside, loops.leg.end());
+  leg.insert(leg.end(), loops.leg.begin(), loops.leg.begin() + leg_inside + 1);
+  cage.cut(arm);
+  cage.cut(leg);
+  cage.cut(neck);
 }
 
 /// Radians of step m of the neck's half loop.
