@@ -90,10 +90,10 @@ void add_thumb(HalfCage& cage, const MeasuredBody& body, const std::vector<Loop>
 Loop add_arm(HalfCage& cage, const MeasuredBody& body, const Loop& shoulder) {
   const BodyPart& arm = body.part("arm");
   const double elbow = arm.along(body.joint("lowerarm01")), wrist = arm.along(body.joint("wrist")) - 0.004;
-  const double first = 0.024, bend = 0.016;
+  const double first = 0.018, bend = 0.016;
   // Close together where the deltoid moves, and round the elbow.
-  std::vector<double> stations{first, first + 0.011, first + 0.023};
-  for (int n = 1; n <= 2; ++n) stations.push_back(glm::mix(stations[2], elbow - bend, n / 3.0));
+  std::vector<double> stations{first, first + 0.008, first + 0.016, first + 0.024};
+  for (int n = 1; n <= 2; ++n) stations.push_back(glm::mix(stations[3], elbow - bend, n / 3.0));
   for (const double t : {elbow - bend, elbow, elbow + bend}) stations.push_back(t);
   for (int n = 1; n <= 4; ++n) stations.push_back(glm::mix(elbow + bend, wrist, n / 4.0));
 

@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 /// Strips are cut in proportion to this power of their length: those of fingers and toes stay finer than the trunk's.
-constexpr double length_power = 0.7;
+constexpr double length_power = 0.25;
 
 /// More parts than this no strip is ever cut into: two million vertices need about forty.
 constexpr int most_parts = 400;

@@ -11,7 +11,7 @@ constexpr std::size_t most_influences = 4;
 constexpr double least_weight = 1e-3;
 
 /// Rounds in which chains blend into each other over their borders.
-constexpr int sharing_rounds = 2;
+constexpr int sharing_rounds = 3;
 
 /// 0 before a border, 1 behind it, over `half_width` to either side.
 double behind(double x, double half_width) { return smoothstep01(0.5 * (x / half_width + 1.0)); }
@@ -137,14 +137,16 @@ void FigureWeights::add_arm(const Vec3& p, double share, Weights& weights) const
   const Vec3 out = p - arm.on_axis(t);
   // 1 on top of the shoulder, -1 in the armpit: above, the arm begins later and over a longer stretch.
   const double up = std::clamp(-glm::dot(unit_or(out, Vec3(0.0)), arm.v(0)), -1.0, 1.0);
-  const double begun = behind(t - (0.030 + 0.006 * up), 0.045 + 0.012 * up);
+  const double begun = behind(t - (0.006 - 0.014 * up), 0.044 - 0.006 * up);
   add_trunk(p, share * (1.0 - begun), weights);
   add_steps(arm_, t, share * begun, weights);
 }
 
 void FigureWeights::add_leg(const Vec3& p, double share, Weights& weights) const {
   const double t = body_.part("leg").along(p);
-  const double begun = behind(t - 0.035, 0.055);
+  // Between the legs the pelvis keeps the skin: there it would be torn between them.
+  const double apart = glm::mix(smoothstep01(p.x / 0.035), 1.0, smoothstep01((t - 0.055) / 0.045));
+  const double begun = behind(t - 0.035, 0.055) * apart;
   add_trunk(p, share * (1.0 - begun), weights);
   add_steps(leg_, t, share * begun, weights);
 }
