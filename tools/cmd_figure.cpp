@@ -80,7 +80,8 @@ void add_figure(CLI::App& program, Run& run) {
   command->footer("Example: sinew figure --like woman --height 1.70 -o woman.glb");
   auto words = std::make_shared<Words>();
   command->add_option("-o,--output", words->output, "x.glb")->required();
-  command->add_option("--like", words->like, "Counts of vertices, triangles and joints as of: skeleton, woman or poser");
+  command->add_option("--like", words->like,
+                      "Counts of vertices, triangles and joints as of: skeleton, woman or poser");
   command->add_option("--sex", words->sex, "0 (male) to 1 (female)");
   command->add_option("--height", words->height, "Metres, 0.3 to 3 (1.75 male to 1.63 female)");
   command->add_option("--build", words->build, "-1 (slim) to 1 (heavy) (0)");

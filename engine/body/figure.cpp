@@ -17,7 +17,7 @@ namespace {
 
 /// Of the surface's normal and the mesh's the former shades a coarse mesh better; where the two differ more than these
 /// cosines say, the mesh is too coarse for what the surface does there, and its own normal counts.
-constexpr double agreeing = 0.85, differing = 0.6;
+constexpr double agreeing = 0.95, differing = 0.75;
 
 constexpr Vec4 skin_colour{0.60, 0.36, 0.26, 1.0};  // linear
 
@@ -117,9 +117,9 @@ Half built_half(const HalfCage& cage, const RefinedQuads& refined, const BodyFie
     const bool corner = stencil.weight[0] == 1.0;
     const bool on_edge = stencil.weight[2] == 0.0;
     const CageVertex &a = cage.vertices[stencil.corner[0]], &b = cage.vertices[stencil.corner[1]];
-    const bool on_plane = corner ? a.on_plane
-                                 : on_edge && a.on_plane && b.on_plane &&
-                                       uses.at(cage_edge(stencil.corner[0], stencil.corner[1])) == 1;
+    const bool on_plane =
+        corner ? a.on_plane
+               : on_edge && a.on_plane && b.on_plane && uses.at(cage_edge(stencil.corner[0], stencil.corner[1])) == 1;
     half.surface.positions.push_back(stencil.of(std::span<const Vec3>(positions)));
     half.surface.on_plane.push_back(on_plane);
     half.surface.looseness.push_back(corner ? a.looseness : 0.5);
@@ -182,8 +182,8 @@ Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& c
     const auto& p = half.surface.positions;
     const bool cut_ac = glm::distance(p[a], p[c]) <= glm::distance(p[b], p[d]);
     const auto& k = cut.quads[q];
-    const std::array<Index, 6> corners = cut_ac ? std::array{k[0], k[1], k[2], k[0], k[2], k[3]}
-                                                : std::array{k[1], k[2], k[3], k[1], k[3], k[0]};
+    const std::array<Index, 6> corners =
+        cut_ac ? std::array{k[0], k[1], k[2], k[0], k[2], k[3]} : std::array{k[1], k[2], k[3], k[1], k[3], k[0]};
     skin.indices.insert(skin.indices.end(), corners.begin(), corners.end());
     for (const std::size_t i : {0, 2, 1, 3, 5, 4}) skin.indices.push_back(right[corners[i]]);
   }
@@ -271,7 +271,8 @@ Result<Model> build_figure(const FigureOptions& options) {
   model.roots.push_back(static_cast<int>(model.nodes.size()));
   model.nodes.push_back(node);
   Mesh mesh{.name = "figure", .primitives = {}, .morph_weights = {}};
-  mesh.primitives.push_back(whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, height));
+  mesh.primitives.push_back(
+      whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, height));
   model.meshes.push_back(std::move(mesh));
   model.materials.push_back({.name = "skin", .base_colour = skin_colour});
   return model;

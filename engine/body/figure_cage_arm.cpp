@@ -45,8 +45,7 @@ double web(const BodyPart& finger) { return 0.42 * finger.t_at(1); }
 
 /// Stations of a finger's rings: up to the middle joint, on it, before the tip, and round the tip.
 std::array<double, 4> finger_stations(const BodyPart& finger, double root, double first_joint) {
-  return {glm::mix(root, first_joint, 0.5), first_joint, finger.last - 0.0045,
-          finger.last + 0.75 * finger.cap_last};
+  return {glm::mix(root, first_joint, 0.5), first_joint, finger.last - 0.0045, finger.last + 0.75 * finger.cap_last};
 }
 
 /// The seam round a digit: up one side, over the tip, down the other.
@@ -107,8 +106,8 @@ Loop add_arm(HalfCage& cage, const MeasuredBody& body, const Loop& shoulder) {
     for (std::size_t n = 0; n < arm_ring; ++n) {
       const double angle = (45.0 - turn + 30.0 * static_cast<double>(n)) * degrees_to_radians;
       const double loop_t = 0.003 + 0.019 * std::sin(angle);
-      const double t = std::max(stations[r] + lean * 0.8 * (loop_t - first),
-                                loop_t + 0.006 * (static_cast<double>(r) + 1.0));
+      const double t =
+          std::max(stations[r] + lean * 0.8 * (loop_t - first), loop_t + 0.006 * (static_cast<double>(r) + 1.0));
       const Index vertex = cage.add(arm.on_surface(t, angle), Chain::arm, r < 3 ? junction_looseness : limb_looseness);
       cage.anchor(vertex, axis, glm::dot(axis, arm.axis[0]) + t);
       ring.push_back(vertex);
@@ -165,7 +164,8 @@ void add_hand(HalfCage& cage, const MeasuredBody& body, const Loop& wrist) {
     }
 
   std::array<double, 6> angles;
-  for (std::size_t n = 0; n < angles.size(); ++n) angles[n] = (60.0 + 60.0 * static_cast<double>(n)) * degrees_to_radians;
+  for (std::size_t n = 0; n < angles.size(); ++n)
+    angles[n] = (60.0 + 60.0 * static_cast<double>(n)) * degrees_to_radians;
   for (int f = 0; f < fingers; ++f) {
     const Loop loop{end[{f, 0}], end[{f + 1, 0}], end[{f + 1, 1}], end[{f + 1, 2}], end[{f, 2}], end[{f, 1}]};
     const auto stations = finger_stations(*finger[f], web(*finger[f]), finger[f]->t_at(1));

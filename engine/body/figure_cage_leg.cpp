@@ -26,7 +26,8 @@ std::vector<std::pair<int, int>> ankle_outline() {
 Vec3 on_sole(const BodyPart& foot, double ankle, int i, int k) {
   const double f = static_cast<double>(k) / longways;
   const double t = foot.first + (ankle + 0.015 - foot.first) * f;
-  const Vec3 inner = foot.on_surface(t, 110.0 * degrees_to_radians), outer = foot.on_surface(t, 250.0 * degrees_to_radians);
+  const Vec3 inner = foot.on_surface(t, 110.0 * degrees_to_radians),
+             outer = foot.on_surface(t, 250.0 * degrees_to_radians);
   const double narrow = k == 0 ? 0.62 : 1.0;
   const double across = 0.5 + narrow * (static_cast<double>(i) / wide - 0.5);
   Vec3 p = glm::mix(outer, inner, across);
@@ -92,7 +93,8 @@ void widen(HalfCage& cage, const Loop& ten, const Loop& fourteen) {
   const auto straight = [&](std::size_t t, std::size_t f) {
     quad(ten[t], ten[(t + 1) % 10], fourteen[(f + 1) % 14], fourteen[f]);
   };
-  for (const auto& [t, f] : {std::pair{0, 0}, {2, 4}, {3, 5}, {4, 6}, {5, 7}, {7, 11}, {8, 12}, {9, 13}}) straight(t, f);
+  for (const auto& [t, f] : {std::pair{0, 0}, {2, 4}, {3, 5}, {4, 6}, {5, 7}, {7, 11}, {8, 12}, {9, 13}})
+    straight(t, f);
   for (const auto& [t, f] : {std::pair<std::size_t, std::size_t>{1, 1}, {6, 8}}) {
     const Index a = ten[t], b = ten[t + 1];
     const Index one = cage.add(glm::mix(cage.at(a), cage.at(fourteen[f + 1]), 0.55), Chain::foot, foot_looseness);
@@ -167,8 +169,8 @@ Loop add_leg(HalfCage& cage, const MeasuredBody& body, const Loop& groin) {
     for (std::size_t n = 0; n < leg_ring; ++n) {
       const double angle = (static_cast<double>(n) - 2.0 + turn) / leg_ring * 2.0 * std::numbers::pi;
       const double loop_t = 0.5 * (crotch + 0.012) + 0.5 * (crotch + 0.004) * std::sin(angle);
-      const double t = std::max(stations[r] + lean * 0.8 * (loop_t - crotch),
-                                loop_t + 0.008 * (static_cast<double>(r) + 1.0));
+      const double t =
+          std::max(stations[r] + lean * 0.8 * (loop_t - crotch), loop_t + 0.008 * (static_cast<double>(r) + 1.0));
       const Index vertex = cage.add(leg.on_surface(t, angle), Chain::leg, r < 3 ? junction_looseness : limb_looseness);
       cage.anchor(vertex, axis, glm::dot(axis, leg.axis[0]) + t);
       ring.push_back(vertex);

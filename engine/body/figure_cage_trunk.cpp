@@ -84,8 +84,7 @@ void add_quads(HalfCage& cage, Lattice& lattice) {
     for (int i = neck_front_edges; i < front_edges; ++i)
       cage.quads.push_back({lattice.at(i, shoulder_row, k + 1), lattice.at(i + 1, shoulder_row, k + 1),
                             lattice.at(i + 1, shoulder_row, k), lattice.at(i, shoulder_row, k)});
-    cage.quads.push_back(
-        {lattice.at(0, 0, k), lattice.at(1, 0, k), lattice.at(1, 0, k + 1), lattice.at(0, 0, k + 1)});
+    cage.quads.push_back({lattice.at(0, 0, k), lattice.at(1, 0, k), lattice.at(1, 0, k + 1), lattice.at(0, 0, k + 1)});
   }
 }
 
@@ -100,7 +99,8 @@ void add_seams(HalfCage& cage, Lattice& lattice, const TrunkLoops& loops) {
   cage.cut(Loop{lattice.at(1, 0, middle_of_side), lattice.at(0, 0, middle_of_side)});
   // Arms, legs and head stay with the back.
   constexpr std::size_t arm_front = 7, arm_below = 2, leg_outside = 12, leg_inside = 6, neck_side = 4;
-  Loop arm(loops.arm.begin() + arm_front, loops.arm.end()), neck(loops.neck.begin(), loops.neck.begin() + neck_side + 1);
+  Loop arm(loops.arm.begin() + arm_front, loops.arm.end()),
+      neck(loops.neck.begin(), loops.neck.begin() + neck_side + 1);
   arm.insert(arm.end(), loops.arm.begin(), loops.arm.begin() + arm_below + 1);
   Loop leg(loops.leg.begin() + leg_outside, loops.leg.end());
   leg.insert(leg.end(), loops.leg.begin(), loops.leg.begin() + leg_inside + 1);

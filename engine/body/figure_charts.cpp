@@ -17,7 +17,8 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
   return i;
 }
 
-/// Calls united(a quad's corner, the other quad's corner at the same vertex) for both ends of every edge that is no seam.
+/// Calls united(a quad's corner, the other quad's corner at the same vertex) for both ends of every edge that is no
+/// seam.
 template <class United>
 void over_open_edges(const HalfCage& cage, const United& united) {
   std::map<CageEdge, std::pair<std::size_t, std::size_t>> first_side;  // quad, corner where the edge begins
@@ -88,7 +89,9 @@ Pins choose_pins(Chart& chart, const std::vector<Vec3>& positions, const std::ve
     if (positions[v].y < positions[low].y) low = v;
     if (positions[v].y > positions[high].y) high = v;
   }
-  pins.value = {{2 * low, 0.0}, {2 * low + 1, 0.0}, {2 * high, 0.0},
+  pins.value = {{2 * low, 0.0},
+                {2 * low + 1, 0.0},
+                {2 * high, 0.0},
                 {2 * high + 1, glm::distance(positions[low], positions[high])}};
   return pins;
 }

@@ -126,7 +126,8 @@ MeasuredBody measured_body(double sex, double build, double muscle) {
   const Blend blend(sex);
   MeasuredBody body;
   body.height = blend.number(male["height"], female["height"]);
-  for (const auto& [name, place] : male["joints"].items()) body.joints[name] = blend.vec3(place, female["joints"][name]);
+  for (const auto& [name, place] : male["joints"].items())
+    body.joints[name] = blend.vec3(place, female["joints"][name]);
   for (const auto& [name, girth] : male["girths"].items())
     body.girths[name] = blend.number(girth, female["girths"][name]);
   for (const auto& [name, part] : male["parts"].items()) {

@@ -13,18 +13,18 @@ namespace sinew {
 
 /// One step of the union: a part, or two nodes joined with a fillet that reaches `fillet` far.
 struct UnionNode {
-  int part = -1;         ///< index into MeasuredBody::parts, or -1
+  int part = -1;  ///< index into MeasuredBody::parts, or -1
   double fillet = 0.0;
   int one = -1, other = -1;  ///< indices into MeasuredBody::tree
 };
 
 /// The left half of a body, lengths in fractions of its height: soles at y = 0, front +z, left +x.
 struct MeasuredBody {
-  double height = 0.0;                    ///< metres, where nobody asks for another
-  std::map<std::string, Vec3> joints;     ///< centres
-  std::map<std::string, double> girths;   ///< as a tape measures them
+  double height = 0.0;                   ///< metres, where nobody asks for another
+  std::map<std::string, Vec3> joints;    ///< centres
+  std::map<std::string, double> girths;  ///< as a tape measures them
   std::vector<BodyPart> parts;
-  std::vector<UnionNode> tree;            ///< children before parents: the last is the whole
+  std::vector<UnionNode> tree;  ///< children before parents: the last is the whole
 
   const BodyPart& part(std::string_view name) const;
   const Vec3& joint(const std::string& name) const { return joints.at(name); }

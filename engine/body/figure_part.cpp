@@ -174,16 +174,15 @@ FieldSample BodyPart::ball_at(const Vec3& p) const {
   const double rho = std::max(glm::length(from_centre), 1e-9), flat = std::max(std::hypot(a, b), 1e-9);
   const double latitude = std::atan2(h, flat), longitude = positive_angle(b, a);
   const double per_row = (radius.rows - 1) / std::numbers::pi, per_column = radius.columns / full_turn;
-  const RadiusTable::Sample r = radius.at((latitude + 0.5 * std::numbers::pi) * per_row,
-                                          (longitude + warp * std::sin(longitude)) * per_column);
+  const RadiusTable::Sample r =
+      radius.at((latitude + 0.5 * std::numbers::pi) * per_row, (longitude + warp * std::sin(longitude)) * per_column);
   const double R = std::max(r.radius, least_radius);
   const double by_latitude = r.by_row * per_row;
   const double by_longitude = r.by_column * per_column * (1.0 + warp * std::cos(longitude));
   const double steep_latitude = std::clamp(by_latitude / R, -steepest_across, steepest_across);
   const double steep_longitude =
       std::clamp(by_longitude / R / std::max(std::cos(latitude), 0.15), -steepest_across, steepest_across);
-  const double cosine =
-      1.0 / std::sqrt(1.0 + steep_latitude * steep_latitude + steep_longitude * steep_longitude);
+  const double cosine = 1.0 / std::sqrt(1.0 + steep_latitude * steep_latitude + steep_longitude * steep_longitude);
   const Vec3 outward = from_centre / rho;
   const Vec3 level = (a * zero + b * side) / flat;
   const Vec3 grad_latitude = (flat * pole - h * level) / (rho * rho);

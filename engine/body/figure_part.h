@@ -34,10 +34,10 @@ struct BodyPart {
   RadiusTable radius;
 
   // A tube's:
-  std::vector<Vec3> axis;           ///< [points] two or more
-  std::vector<Vec3> u;              ///< [points - 1] the direction of angle 0, at right angles to the segment
-  double first = 0.0, last = 0.0;   ///< t of the first and the last section
-  std::vector<Vec2> centre;         ///< [rows] of each section, along u and v = axis x u
+  std::vector<Vec3> axis;                  ///< [points] two or more
+  std::vector<Vec3> u;                     ///< [points - 1] the direction of angle 0, at right angles to the segment
+  double first = 0.0, last = 0.0;          ///< t of the first and the last section
+  std::vector<Vec2> centre;                ///< [rows] of each section, along u and v = axis x u
   double cap_first = 0.0, cap_last = 0.0;  ///< how far the ends are rounded beyond the sections
 
   // A ball's; where `ball` is false these mean nothing.

@@ -23,8 +23,8 @@ void relax_cage(HalfCage& cage, const BodyField& field);
 /// A refined half of the figure.
 struct HalfSurface {
   std::vector<Vec3> positions;
-  std::vector<char> on_plane;      ///< [vertices] on the plane of symmetry
-  std::vector<double> looseness;   ///< [vertices] as of the cage, 0.5 where refinement made the vertex
+  std::vector<char> on_plane;     ///< [vertices] on the plane of symmetry
+  std::vector<double> looseness;  ///< [vertices] as of the cage, 0.5 where refinement made the vertex
   Quads quads;
 };
 

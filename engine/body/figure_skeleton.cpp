@@ -59,8 +59,8 @@ void plan_arm(const MeasuredBody& body, std::vector<JointPlan>& plan) {
   for (int finger = 2; finger <= 5; ++finger) {
     const std::string number = std::to_string(finger), measured = "finger" + number + "-";
     plan.push_back({"l_metacarpophalangeal_" + number, "l_radiocarpal", 37, at(measured + "1")});
-    plan.push_back({"l_carpal_proximal_interphalangeal_" + number, "l_metacarpophalangeal_" + number, 68,
-                    at(measured + "2")});
+    plan.push_back(
+        {"l_carpal_proximal_interphalangeal_" + number, "l_metacarpophalangeal_" + number, 68, at(measured + "2")});
     plan.push_back({"l_carpal_distal_interphalangeal_" + number, "l_carpal_proximal_interphalangeal_" + number, 68,
                     at(measured + "3")});
   }
@@ -82,7 +82,9 @@ const std::vector<JointPlan> full_plan(const MeasuredBody& body) {
     part(body, half);
     plan.insert(plan.end(), half.begin(), half.end());
     for (const JointPlan& left : half)
-      plan.push_back({right_of(left.name), right_of(left.parent), left.least_count,
+      plan.push_back({right_of(left.name),
+                      right_of(left.parent),
+                      left.least_count,
                       {-left.position.x, left.position.y, left.position.z}});
   }
   return plan;

@@ -13,7 +13,7 @@ namespace sinew {
 struct FigureJoint {
   std::string name;
   int parent = -1;
-  int mirror = 0;  ///< the same joint on the other side; itself in the middle
+  int mirror = 0;      ///< the same joint on the other side; itself in the middle
   Vec3 position{0.0};  ///< fractions of body height
 };
 

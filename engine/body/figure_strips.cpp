@@ -96,8 +96,7 @@ RefinedQuads refine_strips(const Quads& quads, std::span<const Index> welded, co
         out.vertices.push_back({quad, {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y}});
       }
     for (int j = 0; j < along; ++j)
-      for (int i = 0; i < across; ++i)
-        out.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+      for (int i = 0; i < across; ++i) out.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
   }
   return out;
 }
@@ -139,9 +138,8 @@ std::vector<int> parts_for(const Quads& quads, const Strips& strips, std::span<c
     grown = false;
     std::vector<std::size_t> order(parts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-      return need[a] / parts[a] > need[b] / parts[b];
-    });
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return need[a] / parts[a] > need[b] / parts[b]; });
     for (const std::size_t strip : order) {
       ++parts[strip];
       grown = quads_of(parts) <= wanted;

@@ -34,8 +34,8 @@ std::vector<ChainShares> cage_shares(const HalfCage& cage) {
   return shares;
 }
 
-std::vector<FigureWeights::Step> FigureWeights::steps_present(
-    std::span<const std::pair<const char*, double>> wanted, std::span<const double> half_widths) const {
+std::vector<FigureWeights::Step> FigureWeights::steps_present(std::span<const std::pair<const char*, double>> wanted,
+                                                              std::span<const double> half_widths) const {
   std::vector<Step> steps;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (skeleton_.has(wanted[i].first)) steps.push_back({joint(wanted[i].first), wanted[i].second, half_widths[i]});
@@ -71,18 +71,21 @@ FigureWeights::FigureWeights(const MeasuredBody& body, const FigureSkeleton& ske
   const double knee = leg.along(body.joint("lowerleg01")), ankle = leg.along(body.joint("foot"));
   leg_ = steps_present(Wanted{{"l_hip", 0.0}, {"l_knee", knee}, {"l_talocrural", ankle}},
                        std::vector<double>{0.0, 0.038, 0.022});
-  foot_ = steps_present(Wanted{{"l_talocrural", 0.0},
-                               {"l_tarsometatarsal", foot.along(glm::mix(body.joint("foot"), body.joint("toe2-1"), 0.5))},
-                               {"l_metatarsophalangeal", foot.along(body.joint("toe2-1"))},
-                               {"l_tarsal_interphalangeal", foot.along(body.joint("toe2-2"))}},
-                        std::vector<double>{0.0, 0.020, 0.012, 0.006});
+  foot_ =
+      steps_present(Wanted{{"l_talocrural", 0.0},
+                           {"l_tarsometatarsal", foot.along(glm::mix(body.joint("foot"), body.joint("toe2-1"), 0.5))},
+                           {"l_metatarsophalangeal", foot.along(body.joint("toe2-1"))},
+                           {"l_tarsal_interphalangeal", foot.along(body.joint("toe2-2"))}},
+                    std::vector<double>{0.0, 0.020, 0.012, 0.006});
   for (int f = 1; f <= 5; ++f) {
     const std::string number = std::to_string(f);
     const BodyPart& tube = body.part("finger" + number);
     const std::array<std::string, 3> names =
-        f == 1 ? std::array<std::string, 3>{"l_carpometacarpal_1", "l_metacarpophalangeal_1", "l_carpal_interphalangeal_1"}
-               : std::array<std::string, 3>{"l_metacarpophalangeal_" + number, "l_carpal_proximal_interphalangeal_" + number,
-                                            "l_carpal_distal_interphalangeal_" + number};
+        f == 1
+            ? std::array<std::string, 3>{"l_carpometacarpal_1", "l_metacarpophalangeal_1", "l_carpal_interphalangeal_1"}
+            : std::array<std::string, 3>{"l_metacarpophalangeal_" + number,
+                                         "l_carpal_proximal_interphalangeal_" + number,
+                                         "l_carpal_distal_interphalangeal_" + number};
     finger_[static_cast<std::size_t>(f - 1)] =
         steps_present(Wanted{{"l_radiocarpal", 0.0},
                              {names[0].c_str(), f == 1 ? 0.25 * tube.t_at(1) : 0.0},
@@ -125,8 +128,7 @@ void FigureWeights::add_trunk(const Vec3& p, double share, Weights& weights) con
 void FigureWeights::add_head(const Vec3& p, double share, Weights& weights) const {
   const Vec3& skull = body_.joint("head");
   // The jaw: below a line from the ear to the mouth, from the neck forward.
-  const double jaw =
-      jaw_ == head_ ? 0.0 : behind(skull.y - 0.006 - p.y, 0.012) * behind(p.z - skull.z - 0.028, 0.020);
+  const double jaw = jaw_ == head_ ? 0.0 : behind(skull.y - 0.006 - p.y, 0.012) * behind(p.z - skull.z - 0.028, 0.020);
   weights[static_cast<std::size_t>(jaw_)] += share * jaw;
   weights[static_cast<std::size_t>(head_)] += share * (1.0 - jaw);
 }
@@ -156,8 +158,8 @@ void FigureWeights::add_foot(const Vec3& p, double share, Weights& weights) cons
 }
 
 void FigureWeights::add_finger(int finger, const Vec3& p, double share, Weights& weights) const {
-  add_steps(finger_[static_cast<std::size_t>(finger - 1)], body_.part("finger" + std::to_string(finger)).along(p), share,
-            weights);
+  add_steps(finger_[static_cast<std::size_t>(finger - 1)], body_.part("finger" + std::to_string(finger)).along(p),
+            share, weights);
 }
 
 void FigureWeights::add_chain(Chain chain, const Vec3& position, double share, Weights& weights) const {
