@@ -152,9 +152,22 @@ std::vector<Influence> mirrored(const std::vector<Influence>& run, const FigureS
   return out;
 }
 
+/// From the measures' unit to metres: soles at y = 0, and exactly as tall as asked for.
+struct ToMetres {
+  double scale = 1.0, low = 0.0;
+
+  ToMetres(const std::vector<Vec3>& positions, double height) {
+    const auto [lowest, highest] =
+        std::ranges::minmax_element(positions, [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+    low = lowest->y;
+    scale = height / (highest->y - low);
+  }
+  Vec3 operator()(const Vec3& p) const { return {scale * p.x, scale * (p.y - low), scale * p.z}; }
+};
+
 /// Both halves as one list of triangles, in metres.
 Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& cut_cage, const FigureSkeleton& skeleton,
-                     double height) {
+                     const ToMetres& to_metres) {
   std::vector<Index> welded(cut.vertices.size());  // of the half's vertices
   for (std::size_t q = 0; q < cut.quads.size(); ++q)
     for (std::size_t c = 0; c < 4; ++c) welded[cut.quads[q][c]] = half.surface.quads[q][c];
@@ -165,7 +178,7 @@ Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& c
     const Index w = welded[vertex];
     const Vec3 side(is_right ? -1.0 : 1.0, 1.0, 1.0);
     const Vec2 uv = cut.vertices[vertex].of(std::span<const Vec2>(cut_cage.uv));
-    skin.positions.push_back(height * side * half.surface.positions[w]);
+    skin.positions.push_back(side * to_metres(half.surface.positions[w]));
     skin.normals.push_back(side * half.normals[w]);
     skin.texture_coordinates.emplace_back(is_right ? 1.0 - uv.x : uv.x, 1.0 - uv.y);
     skin.influences.add_vertex(is_right ? mirrored(half.influences[w], skeleton) : half.influences[w]);
@@ -191,15 +204,15 @@ Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& c
   return skin;
 }
 
-void add_skeleton(Model& model, const FigureSkeleton& skeleton, double height) {
+void add_skeleton(Model& model, const FigureSkeleton& skeleton, const ToMetres& to_metres) {
   Skin skin{.name = "figure", .joints = {}, .inverse_bind = {}};
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const FigureJoint& joint = skeleton.joints[j];
-    const Vec3 place = height * joint.position;
+    const Vec3 place = to_metres(joint.position);
     Node node;
     node.name = joint.name;
     node.parent = joint.parent;
-    node.rest.translation = joint.parent < 0 ? place : place - height * skeleton.joints[joint.parent].position;
+    node.rest.translation = joint.parent < 0 ? place : place - to_metres(skeleton.joints[joint.parent].position);
     model.nodes.push_back(node);
     if (joint.parent >= 0)
       model.nodes[joint.parent].children.push_back(static_cast<int>(j));
@@ -263,7 +276,8 @@ Result<Model> build_figure(const FigureOptions& options) {
 
   Model model;
   model.file = "figure";
-  add_skeleton(model, skeleton, height);
+  const ToMetres to_metres(half.surface.positions, height);
+  add_skeleton(model, skeleton, to_metres);
   Node node;
   node.name = "figure";
   node.mesh = 0;
@@ -272,7 +286,7 @@ Result<Model> build_figure(const FigureOptions& options) {
   model.nodes.push_back(node);
   Mesh mesh{.name = "figure", .primitives = {}, .morph_weights = {}};
   mesh.primitives.push_back(
-      whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, height));
+      whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, to_metres));
   model.meshes.push_back(std::move(mesh));
   model.materials.push_back({.name = "skin", .base_colour = skin_colour});
   return model;

@@ -77,8 +77,9 @@ void add_thumb(HalfCage& cage, const MeasuredBody& body, const std::vector<Loop>
   std::array<double, 6> angles;
   for (std::size_t n = 0; n < angles.size(); ++n) angles[n] = std::arg(mean) + step * static_cast<double>(n);
 
-  const double joint = thumb.t_at(1), root = 0.60 * joint;
-  const std::array<double, 4> stations{root + 0.25 * (joint - root), thumb.t_at(1), thumb.last - 0.006,
+  // Nearer to the hand than its first joint the thumb has no side of its own towards the palm.
+  const double joint = thumb.t_at(1), end = thumb.last - 0.006;
+  const std::array<double, 4> stations{0.95 * joint, glm::mix(joint, end, 0.5), end,
                                        thumb.last + 0.75 * thumb.cap_last};
   const auto loops = add_digit(cage, thumb, Chain::finger1, hole, stations, angles);
   cut_digit(cage, loops);

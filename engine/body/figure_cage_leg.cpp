@@ -107,7 +107,7 @@ void widen(HalfCage& cage, const Loop& ten, const Loop& fourteen) {
 }
 
 /// Where toes part: share of their length.
-double toe_root(const BodyPart& toe) { return 0.38 * toe.last; }
+double toe_root(const BodyPart& toe) { return 0.42 * toe.last; }
 
 /// A toe's section as a square: `across` 0 outer to 1 inner, `height` 0 sole to 1 top.
 Vec3 on_squared_toe(const BodyPart& toe, double across, double height) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/body/figure_untangle.h"
 #include "engine/core/parallel.h"
 
 namespace sinew {
@@ -100,14 +101,15 @@ void settle_surface(HalfSurface& surface, const BodyField& field) {
     }
     project(surface.positions, normals, surface.on_plane, field);
   }
-  if (surface.quads.size() < fine_quads) return;
   for (const double share : taubin_steps) {
+    if (surface.quads.size() < fine_quads) break;
     before = surface.positions;
     for (std::size_t i = 0; i < count; ++i) {
       surface.positions[i] += share * (mean_of(before, neighbours.of(i)) - before[i]);
       if (surface.on_plane[i]) surface.positions[i].x = 0.0;
     }
   }
+  untangle(surface, neighbours);
 }
 
 }  // namespace sinew
