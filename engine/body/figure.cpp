@@ -18,6 +18,8 @@ namespace {
 /// Of the surface's normal and the mesh's the former shades a coarse mesh better; where the two differ more than these
 /// cosines say, the mesh is too coarse for what the surface does there, and its own normal counts.
 constexpr double agreeing = 0.95, differing = 0.75;
+/// A single quad may differ by this much more: on a coarse mesh it is a chord.
+constexpr double slack = 0.35;
 
 constexpr Vec4 skin_colour{0.60, 0.36, 0.26, 1.0};  // linear
 
@@ -60,7 +62,7 @@ class Counter {
 /// The parts that come closest to the counts that are asked for.
 std::vector<int> chosen_parts(const FigureOptions& options, const HalfCage& cage, const Counter& counter,
                               const Strips& strips) {
-  const std::vector<double> lengths = strips.mean_lengths(cage);
+  const std::vector<double> lengths = strips.weighted_lengths(cage);
   std::vector<int> best;
   double least_error = INFINITY;
   // A half has about half as many quads as the figure has vertices, fewer by those that stand twice.
@@ -88,18 +90,23 @@ struct Half {
 };
 
 std::vector<Vec3> shading_normals(const HalfSurface& surface, const BodyField& field) {
-  std::vector<Vec3> normals = vertex_normals({surface.positions, surface.quads});
+  std::vector<Vec3> normals = vertex_normals({surface.positions, surface.quads}), of_field = normals;
   parallel_for(
       normals.size(),
-      [&](std::size_t i) {
-        Vec3& normal = normals[i];
-        if (surface.on_plane[i]) normal = unit_or({0.0, normal.y, normal.z}, normal);
-        const Vec3 of_field = unit_or(field.at(surface.positions[i]).gradient, normal);
-        const double trust = smoothstep01((glm::dot(normal, of_field) - differing) / (agreeing - differing));
-        normal = unit_or(glm::mix(normal, of_field, trust), normal);
-        if (surface.on_plane[i]) normal = unit_or({0.0, normal.y, normal.z}, normal);
-      },
-      256);
+      [&](std::size_t i) { of_field[i] = unit_or(field.at(surface.positions[i]).gradient, normals[i]); }, 256);
+  // Where a vertex' normal and some quad at it differ most, as a cosine.
+  std::vector<double> agreement(normals.size(), 1.0);
+  for (const auto& quad : surface.quads) {
+    const auto& p = surface.positions;
+    const Vec3 face = unit_or(glm::cross(p[quad[2]] - p[quad[0]], p[quad[3]] - p[quad[1]]), Vec3(0.0));
+    for (const Index v : quad) agreement[v] = std::min(agreement[v], glm::dot(face, of_field[v]));
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const double trust = smoothstep01((std::min(glm::dot(normals[i], of_field[i]), agreement[i] + slack) - differing) /
+                                      (agreeing - differing));
+    normals[i] = unit_or(glm::mix(normals[i], of_field[i], trust), normals[i]);
+    if (surface.on_plane[i]) normals[i] = unit_or({0.0, normals[i].y, normals[i].z}, normals[i]);
+  }
   return normals;
 }
 

@@ -52,6 +52,7 @@ struct CageVertex {
   bool on_plane = false;  ///< on the plane of symmetry
   Chain chain = Chain::trunk;
   double looseness = 0.5;  ///< share of the way to the neighbours' mean that a round of relaxation takes it
+  double detail = 1.0;     ///< how many times finer than by its length alone the mesh is to be cut here
   bool anchored = false;   ///< kept at `station` along `axis`, so that its ring stays plane
   Vec3 axis{0.0};
   double station = 0.0;

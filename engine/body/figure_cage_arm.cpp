@@ -8,6 +8,10 @@ namespace {
 
 constexpr double limb_looseness = 0.12, junction_looseness = 0.5;
 
+/// The first rings lie close together; refinement cuts between them as if they did not.
+constexpr std::size_t shoulder_rings = 4;
+constexpr double shoulder_detail = 2.6;
+
 /// The palm's end is a lattice of 4 fingers across and 2 cells from palm to back.
 constexpr int fingers = 4, deep = 2;
 constexpr int palm_rows = 3;
@@ -111,6 +115,7 @@ Loop add_arm(HalfCage& cage, const MeasuredBody& body, const Loop& shoulder) {
           std::max(stations[r] + lean * 0.8 * (loop_t - first), loop_t + 0.006 * (static_cast<double>(r) + 1.0));
       const Index vertex = cage.add(arm.on_surface(t, angle), Chain::arm, r < 3 ? junction_looseness : limb_looseness);
       cage.anchor(vertex, axis, glm::dot(axis, arm.axis[0]) + t);
+      if (r < shoulder_rings) cage.vertices[vertex].detail = shoulder_detail;
       ring.push_back(vertex);
     }
     cage.bridge(previous, ring);

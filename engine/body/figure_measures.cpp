@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Full muscle as measured is modest in the arms; at --muscle 1 the change is taken this many times.
-constexpr double muscle_gain = 1.5;
+/// The measured changes are modest; at the ends of the options they are taken this many times.
+constexpr double muscle_gain = 1.25, arm_muscle_gain = 2.0, heavy_gain = 1.8, slim_gain = 1.3;
 
 constexpr double thinnest = 0.0025;
 
@@ -133,10 +133,11 @@ MeasuredBody measured_body(double sex, double build, double muscle) {
   for (const auto& [name, part] : male["parts"].items()) {
     body.parts.push_back(blended_part(blend, name, part, female["parts"][name]));
     BodyPart& added = body.parts.back();
-    change(added, blend, "muscle_max", muscle_gain * std::max(2.0 * muscle - 1.0, 0.0));
+    change(added, blend, "muscle_max",
+           (name == "arm" ? arm_muscle_gain : muscle_gain) * std::max(2.0 * muscle - 1.0, 0.0));
     change(added, blend, "muscle_min", std::max(1.0 - 2.0 * muscle, 0.0));
-    change(added, blend, "weight_max", std::max(build, 0.0));
-    change(added, blend, "weight_min", std::max(-build, 0.0));
+    change(added, blend, "weight_max", heavy_gain * std::max(build, 0.0));
+    change(added, blend, "weight_min", slim_gain * std::max(-build, 0.0));
     for (double& radius : added.radius.values) radius = std::max(radius, thinnest);
   }
   add_union(document()["union"], body);

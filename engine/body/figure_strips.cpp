@@ -51,10 +51,11 @@ std::size_t Strips::of(Index a, Index b) const {
   return found->second;
 }
 
-std::vector<double> Strips::mean_lengths(const HalfCage& cage) const {
+std::vector<double> Strips::weighted_lengths(const HalfCage& cage) const {
   std::vector<double> sum(count_, 0.0), edges(count_, 0.0);
   for (const auto& [edge, strip] : strip_) {
-    sum[strip] += glm::distance(cage.at(edge.first), cage.at(edge.second));
+    const double detail = 0.5 * (cage.vertices[edge.first].detail + cage.vertices[edge.second].detail);
+    sum[strip] += detail * glm::distance(cage.at(edge.first), cage.at(edge.second));
     edges[strip] += 1.0;
   }
   for (std::size_t i = 0; i < count_; ++i) sum[i] /= edges[i];

@@ -37,8 +37,8 @@ class Strips {
 
   std::size_t count() const { return count_; }
   std::size_t of(Index a, Index b) const;
-  /// [strips] mean length of the edges that the strip crosses.
-  std::vector<double> mean_lengths(const HalfCage& cage) const;
+  /// [strips] mean length of the edges that the strip crosses, times their vertices' detail.
+  std::vector<double> weighted_lengths(const HalfCage& cage) const;
 
  private:
   std::vector<std::pair<CageEdge, std::size_t>> strip_;  ///< by edge, rising

@@ -5,13 +5,19 @@
 namespace sinew {
 namespace {
 
-constexpr int most_rounds = 60;
+constexpr int most_rounds = 80;
+
+/// After so many rounds without success the vertices round about move along, and after so many more those beyond them.
+constexpr int rounds_alone = 30;
 
 /// Two quads beside each other are folded where their normals' cosine is less: a groove may be steep, not closed.
 constexpr double sharpest = -0.35;
 
 /// A quad is folded in itself where a corner's triangle faces away from the quad, or is this small a share of it.
 constexpr double least_corner = 0.02;
+
+/// A triangle must face the way its corners' normals do: the cosine, times their three lengths.
+constexpr double least_facing = 0.15;
 
 /// Edges inside the half, each with the quads on both sides.
 std::vector<std::pair<Index, Index>> quads_beside(const Quads& quads) {
@@ -36,7 +42,7 @@ Vec3 corner_normal(const std::array<Index, 4>& quad, std::size_t corner, const s
 std::size_t untangle(HalfSurface& surface, const Neighbours& neighbours) {
   const auto beside = quads_beside(surface.quads);
   std::vector<Vec3>& positions = surface.positions;
-  std::vector<Vec3> normals(surface.quads.size());
+  std::vector<Vec3> normals(surface.quads.size()), at_vertex(positions.size());
   std::vector<char> folded(surface.quads.size()), moving(positions.size());
   std::size_t count = 0;
   for (int round = 0; round <= most_rounds; ++round) {
@@ -48,6 +54,18 @@ std::size_t untangle(HalfSurface& surface, const Neighbours& neighbours) {
       for (std::size_t c = 0; c < 4; ++c)
         if (glm::dot(corner_normal(quad, c, positions), normals[q]) <= least_corner * glm::length(whole)) folded[q] = 1;
     }
+    std::fill(at_vertex.begin(), at_vertex.end(), Vec3(0.0));
+    for (std::size_t q = 0; q < surface.quads.size(); ++q)
+      for (const Index v : surface.quads[q]) at_vertex[v] += normals[q];
+    for (std::size_t q = 0; q < surface.quads.size(); ++q) {
+      const auto& quad = surface.quads[q];
+      for (std::size_t c = 0; c < 4; ++c) {
+        const Vec3 outward = unit_or(at_vertex[quad[c]], Vec3(0.0)) + unit_or(at_vertex[quad[(c + 1) % 4]], Vec3(0.0)) +
+                             unit_or(at_vertex[quad[(c + 3) % 4]], Vec3(0.0));
+        const Vec3 corner = corner_normal(quad, c, positions);
+        if (glm::dot(corner, outward) <= least_facing * glm::length(corner)) folded[q] = 1;
+      }
+    }
     for (const auto& [one, other] : beside)
       if (glm::dot(normals[one], normals[other]) < sharpest) folded[one] = folded[other] = 1;
     count = static_cast<std::size_t>(std::count(folded.begin(), folded.end(), char{1}));
@@ -57,6 +75,12 @@ std::size_t untangle(HalfSurface& surface, const Neighbours& neighbours) {
     for (std::size_t q = 0; q < surface.quads.size(); ++q)
       if (folded[q])
         for (const Index v : surface.quads[q]) moving[v] = 1;
+    for (int wider = rounds_alone; wider <= round; wider += rounds_alone) {
+      const std::vector<char> inner = moving;
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        if (inner[v])
+          for (const Index n : neighbours.of(v)) moving[n] = 1;
+    }
     const std::vector<Vec3> before = positions;
     for (std::size_t v = 0; v < positions.size(); ++v) {
       if (!moving[v]) continue;

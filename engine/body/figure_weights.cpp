@@ -139,7 +139,7 @@ void FigureWeights::add_arm(const Vec3& p, double share, Weights& weights) const
   const Vec3 out = p - arm.on_axis(t);
   // 1 on top of the shoulder, -1 in the armpit: above, the arm begins later and over a longer stretch.
   const double up = std::clamp(-glm::dot(unit_or(out, Vec3(0.0)), arm.v(0)), -1.0, 1.0);
-  const double begun = behind(t - (0.006 - 0.014 * up), 0.044 - 0.006 * up);
+  const double begun = behind(t - (0.008 - 0.014 * up), 0.044 - 0.006 * up);
   add_trunk(p, share * (1.0 - begun), weights);
   add_steps(arm_, t, share * begun, weights);
 }

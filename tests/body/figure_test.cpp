@@ -270,15 +270,30 @@ double volume_of(const FigureOptions& options) {
   return volume;
 }
 
-TEST(FigureBuild, BuildAndMuscleAddFlesh) {
-  FigureOptions slim, measured, heavy, muscular;
+TEST(FigureBuild, BuildAddsFlesh) {
+  FigureOptions slim, measured, heavy;
   slim.build = -1.0;
   heavy.build = 1.0;
-  muscular.muscle = 1.0;
   const double usual = volume_of(measured);
-  EXPECT_LT(volume_of(slim), 0.9 * usual);
+  EXPECT_LT(volume_of(slim), 0.93 * usual);
   EXPECT_GT(volume_of(heavy), 1.1 * usual);
-  EXPECT_GT(volume_of(muscular), 1.05 * usual);
+}
+
+/// Of the upper arm, between armpit and elbow.
+double mean_radius(const MeasuredBody& body) {
+  const BodyPart& arm = body.part("arm");
+  double sum = 0.0;
+  for (int k = 0; k < 32; ++k)
+    sum += glm::distance(arm.on_surface(0.09, k * std::numbers::pi / 16.0), arm.on_axis(0.09)) / 32.0;
+  return sum;
+}
+
+TEST(FigureBuild, MuscleThickensTheArms) {
+  for (const double sex : {0.0, 1.0}) {
+    const double usual = mean_radius(measured_body(sex, 0.0, 0.5));
+    EXPECT_GT(mean_radius(measured_body(sex, 0.0, 1.0)), 1.04 * usual);
+    EXPECT_NE(mean_radius(measured_body(sex, 0.0, 0.0)), usual);
+  }
 }
 
 TEST(FigureBuild, WomenHaveNarrowerShouldersAndWaists) {
