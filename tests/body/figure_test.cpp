@@ -231,15 +231,18 @@ TEST_P(Figure, IsReadBackWithoutAProblem) {
   EXPECT_EQ(skin_of(*model_read).positions.size(), skin().positions.size());
 }
 
-TEST_P(Figure, WaistIsAsMeasured) {
-  const FigureOptions& options = GetParam().options;
-  if (options.build != 0.0 || options.muscle != 0.5) GTEST_SKIP() << "nobody measured this build";
-  const MeasuredBody body = measured_body(options.sex, 0.0, 0.5);
-  const double height = glm::mix(1.75, 1.63, options.sex);
-  // Between the arms, which hang outside.
-  const double waist = tape_girth(skin(), body.girths.at("waist_y") * height, 0.13 * height) / height;
-  // A coarse ring of chords is shorter than the round it stands for: 24 sides lose 0.3 %.
-  EXPECT_NEAR(waist, body.girths.at("waist_min"), 0.025 * body.girths.at("waist_min"));
+TEST(FigureBuild, WaistIsAsMeasured) {
+  for (const double sex : {0.0, 0.5, 1.0}) {
+    FigureOptions options = *figure_preset("skeleton");
+    options.sex = sex;
+    const Model model = built(options);
+    const MeasuredBody body = measured_body(sex, 0.0, 0.5);
+    // Between the arms, which hang outside.
+    const double waist = tape_girth(skin_of(model), body.girths.at("waist_y") * body.height, 0.13 * body.height);
+    // A coarse ring of chords is shorter than the round it stands for: 26 sides lose 0.3 %. The table's rounding and
+    // what the blend of two bodies does to their girths make the rest.
+    EXPECT_NEAR(waist / body.height, body.girths.at("waist_min"), 0.025 * body.girths.at("waist_min")) << sex;
+  }
 }
 
 TEST(FigureBuild, SameOptionsGiveTheSameBytes) {

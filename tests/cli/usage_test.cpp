@@ -9,7 +9,7 @@ namespace {
 
 class Usage : public ProgramTest {};
 
-const std::vector<std::string> commands{"render", "info", "parity", "export", "bench", "compare"};
+const std::vector<std::string> commands{"render", "info", "parity", "export", "bench", "compare", "figure"};
 
 TEST_F(Usage, EveryCommandHasHelpWithAnExample) {
   for (const std::string& command : commands) {

@@ -1,0 +1,69 @@
+/// `sinew figure` as a user meets it.
+
+#include "tests/support/program.h"
+
+namespace sinew::test {
+namespace {
+
+class FigureCommand : public ProgramTest {};
+
+TEST_F(FigureCommand, WritesAFileThatTheOtherCommandsTake) {
+  const nlohmann::json made = json({"figure", "--like", "skeleton", "-o", "figure.glb"});
+  EXPECT_EQ(made.at("file"), "figure.glb");
+  EXPECT_NEAR(made.at("vertices").get<double>(), 1844, 0.02 * 1844);
+  EXPECT_NEAR(made.at("triangles").get<double>(), 3342, 0.02 * 3342);
+  EXPECT_EQ(made.at("joints"), 23);
+  EXPECT_NEAR(made.at("height").get<double>(), 1.75, 1e-6);
+  const nlohmann::json info = json({"info", "figure.glb"});
+  EXPECT_EQ(info.at("vertices"), made.at("vertices"));
+  EXPECT_EQ(info.at("triangles"), made.at("triangles"));
+  EXPECT_EQ(info.at("joints"), 23);
+  EXPECT_LE(info.at("max_influences"), 4);
+  EXPECT_EQ(info.at("muscles").size(), 4u);
+  EXPECT_EQ(info.at("humanoid").at("rightFoot"), "r_talocrural");
+  EXPECT_EQ(json({"export", "figure.glb", "--rig", "-o", "rig.glb"}).at("vertices"), made.at("vertices"));
+  EXPECT_EQ(json({"parity", "figure.glb", "--pose", "leftLowerArm=-90,0,0"}).at("pass"), true);
+}
+
+TEST_F(FigureCommand, AnOptionBesideThePresetCountsMore) {
+  const nlohmann::json made = json({"figure", "--like", "woman", "--joints", "68", "--height", "1.8", "-o", "a.glb"});
+  EXPECT_EQ(made.at("joints"), 68);
+  EXPECT_NEAR(made.at("vertices").get<double>(), 2365, 0.02 * 2365);
+  EXPECT_NEAR(made.at("height").get<double>(), 1.8, 1e-6);
+  EXPECT_NEAR(json({"figure", "--like", "woman", "--vertices", "5000", "-o", "b.glb"}).at("vertices").get<double>(),
+              5000, 100);
+}
+
+TEST_F(FigureCommand, TheSameWordsGiveTheSameBytes) {
+  for (const char* name : {"one.glb", "other.glb"})
+    ASSERT_EQ(run({"figure", "--sex", "0.4", "--build", "0.3", "-o", name}).exit_code, 0);
+  EXPECT_EQ(read("one.glb"), read("other.glb"));
+}
+
+TEST_F(FigureCommand, OddOptionsAreWrongUsageAndNamed) {
+  const std::vector<std::pair<Arguments, std::string>> odd{
+      {{"--sex", "2"}, "--sex"},           {{"--sex", "nan"}, "--sex"},        {{"--height", "-1"}, "--height"},
+      {{"--height", "0"}, "--height"},     {{"--height", "inf"}, "--height"},  {{"--build", "-1.5"}, "--build"},
+      {{"--muscle", "nan"}, "--muscle"},   {{"--joints", "24"}, "--joints"},   {{"--vertices", "3"}, "--vertices"},
+      {{"--vertices", "x"}, "--vertices"}, {{"--like", "sceleton"}, "--like"},
+  };
+  for (const auto& [words, named] : odd) {
+    Arguments arguments{"figure", "-o", "figure.glb"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_NE(result.err.find(named), std::string::npos) << result;
+  }
+  EXPECT_EQ(run({"figure", "-o", "figure.obj"}).exit_code, 2);
+  EXPECT_EQ(run({"figure"}).exit_code, 2);
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(FigureCommand, OutputThatCannotBeWrittenIsSaid) {
+  const ProgramResult result = run({"figure", "-o", "missing/figure.glb"});
+  EXPECT_EQ(result.exit_code, 7) << result;
+  EXPECT_NE(result.err.find("missing"), std::string::npos) << result;
+}
+
+}  // namespace
+}  // namespace sinew::test
