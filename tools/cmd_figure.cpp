@@ -87,7 +87,7 @@ void add_figure(CLI::App& program, Run& run) {
   command->add_option("--build", words->build, "-1 (slim) to 1 (heavy) (0)");
   command->add_option("--muscle", words->muscle, "0 to 1 (0.5)");
   command->add_option("--joints", words->joints, "23, 37 or 68 (68)");
-  command->add_option("--vertices", words->vertices, "About so many, 1850 to 2000000 (8000)");
+  command->add_option("--vertices", words->vertices, "About so many, 1840 to 2000000 (8000)");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return figure(*words); }; });
 }

@@ -3,8 +3,8 @@
 namespace sinew {
 namespace {
 
-/// Fillets reach less far than this.
-constexpr double margin = 0.045;
+/// Caps and fillets together reach less far than this.
+constexpr double margin = 0.07;
 
 /// What a part counts where it is out of reach.
 constexpr double far_away = 0.3;

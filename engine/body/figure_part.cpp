@@ -15,6 +15,10 @@ constexpr double steepest_along = 1.5, steepest_across = 1.2;
 /// How deep inside a part the field goes on falling: it must not reach through to where other parts are joined.
 constexpr double deepest = 0.02;
 
+/// Over so much difference, less than its cap by this, a part's rounded end goes over into the plane that closes it:
+/// not at all at fingertips.
+constexpr double unrounded_cap = 0.006;
+
 /// Catmull-Rom weights of four neighbours, and their slopes, at fraction f between the middle two.
 struct Spline {
   std::array<double, 4> weight, slope;
@@ -156,15 +160,25 @@ FieldSample BodyPart::tube_at(const Vec3& p) const {
     sample.distance = std::max((rho - R) * cosine, -std::min(cap_last, deepest));
     return sample;
   }
-  const double stretched = std::abs(over) * R / cap;
+  // The cap goes on as the sections end: where they narrow towards it, so does it at first.
+  const double beyond_end = std::abs(over), side = over < 0.0 ? -1.0 : 1.0;
+  const double narrowing = std::clamp(-side * r.by_row * rows_per_length(), 0.0, steepest_along);
+  const double left = std::max(1.0 - beyond_end / cap, 0.0);
+  const double narrowed = std::max(R - narrowing * beyond_end * left * left, least_radius);
+  const double narrowed_slope = -narrowing * left * (left - 2.0 * beyond_end / cap) * side;
+  const double stretched = beyond_end * R / cap;
   const double round = std::max(std::sqrt(rho * rho + stretched * stretched), 1e-9);
-  sample.distance = (round - R) * cosine;
-  sample.gradient = cosine * ((rho * grad_rho + over * (R / cap) * (R / cap) * grad_t) / round - grad_R);
-  // A cap that is scaled by the radius would leave a ghost of the part along its axis.
-  if (const double beyond = std::abs(over) - std::min(cap, deepest); beyond > sample.distance) {
-    sample.distance = beyond;
-    sample.gradient = over < 0.0 ? -grad_t : grad_t;
-  }
+  sample.distance = (round - narrowed) * cosine;
+  sample.gradient = cosine * ((rho * grad_rho + over * (R / cap) * (R / cap) * grad_t) / round - grad_R -
+                              narrowed_slope * grad_t);
+  // A cap that is scaled by the radius would leave a ghost of the part along its axis: a plane beyond its end cuts that
+  // off, rounded where the two meet.
+  const double end_rounding = std::max(std::min(cap, deepest) - unrounded_cap, 1e-6);
+  const double plane = beyond_end - std::min(cap, deepest), apart = std::abs(plane - sample.distance);
+  const double shared = 0.5 * std::max(1.0 - apart / end_rounding, 0.0);
+  const double share = plane > sample.distance ? 1.0 - shared : shared;
+  sample.distance = std::max(plane, sample.distance) + shared * shared * end_rounding;
+  sample.gradient = glm::mix(sample.gradient, side * grad_t, share);
   return sample;
 }
 
