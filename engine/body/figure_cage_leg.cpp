@@ -22,17 +22,18 @@ std::vector<std::pair<int, int>> ankle_outline() {
   return outline;
 }
 
-/// The sole under the ankle; its heel is round.
+/// The sole under the ankle; its heel is round, and rises a little at the back.
 Vec3 on_sole(const BodyPart& foot, double ankle, int i, int k) {
   const double f = static_cast<double>(k) / longways;
-  const double t = foot.first + (ankle + 0.015 - foot.first) * f;
+  const double back = foot.first - 0.5 * foot.cap_first;
+  const double t = glm::mix(back, ankle + 0.015, f);
   const Vec3 inner = foot.on_surface(t, 110.0 * degrees_to_radians),
              outer = foot.on_surface(t, 250.0 * degrees_to_radians);
   const double narrow = k == 0 ? 0.62 : 1.0;
   const double across = 0.5 + narrow * (static_cast<double>(i) / wide - 0.5);
   Vec3 p = glm::mix(outer, inner, across);
-  if (k == 0 && (i == 0 || i == wide)) p += 0.006 * foot.direction(t);
-  p.y = 0.004;
+  if (k == 0 && (i == 0 || i == wide)) p += 0.004 * foot.direction(t);
+  p.y = k == 0 ? 0.009 : 0.004;
   return p;
 }
 
