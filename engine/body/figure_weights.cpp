@@ -62,12 +62,15 @@ FigureWeights::FigureWeights(const MeasuredBody& body, const FigureSkeleton& ske
                                              spine_width, 0.022, 0.018, 0.018});
   const BodyPart &arm = body.part("arm"), &leg = body.part("leg"), &foot = body.part("foot");
   const double elbow = arm.along(body.joint("lowerarm01")), wrist = arm.along(body.joint("wrist"));
+  // Without a twist joint in the forearm its skin takes up the turn of the hand, over a longer way.
+  const bool twists = skeleton.has("l_forearm_twist");
+  const double hand_border = wrist - (twists ? 0.004 : 0.018), hand_width = twists ? 0.020 : 0.036;
   arm_ = steps_present(Wanted{{"l_shoulder", 0.0},
                               {"l_upperarm_twist", 0.5 * elbow},
                               {"l_elbow", elbow},
                               {"l_forearm_twist", 0.5 * (elbow + wrist)},
-                              {"l_radiocarpal", wrist - 0.004}},
-                       std::vector<double>{0.0, 0.040, 0.016, 0.040, 0.020});
+                              {"l_radiocarpal", hand_border}},
+                       std::vector<double>{0.0, 0.040, 0.026, 0.040, hand_width});
   const double knee = leg.along(body.joint("lowerleg01")), ankle = leg.along(body.joint("foot"));
   leg_ = steps_present(Wanted{{"l_hip", 0.0}, {"l_knee", knee}, {"l_talocrural", ankle}},
                        std::vector<double>{0.0, 0.038, 0.022});
