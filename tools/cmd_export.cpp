@@ -11,6 +11,7 @@ struct Words {
   SceneWords scene;
   std::string output, by = "gpu";
   bool rig = false;
+  std::vector<std::string> meta;
 };
 
 Result<BakeOptions> bake_options(const Words& words) {
@@ -26,6 +27,8 @@ Result<BakeOptions> bake_options(const Words& words) {
     return failure(ErrorKind::usage, "--by {}: expected gpu or cpu", words.by);
   options.by_cpu = words.by == "cpu";
   options.rig = words.rig;
+  for (const std::string& word : words.meta)
+    if (auto ok = add_vrm_meta(options.vrm, word); !ok) return pass_on(std::move(ok));
   if (auto ok = check_mesh_name(options); !ok) return pass_on(std::move(ok));
   return options;
 }
@@ -58,8 +61,11 @@ void add_export(CLI::App& program, Run& run) {
   command->add_option("-o,--output", words->output, "x.obj, x.ply, x.glb, or x_####.obj for several frames")
       ->required();
   command->add_option("--by", words->by, "Who makes the vertices: gpu or cpu")->capture_default_str();
-  command->add_flag("--rig", words->rig,
-                    "Write skeleton, weights and morph targets instead of deformed vertices (.glb)");
+  command->add_flag(
+      "--rig", words->rig,
+      "Write skeleton, weights and morph targets instead of deformed vertices (.glb, or .vrm in a T pose)");
+  command->add_option("--meta", words->meta, "KEY=VALUE: of a .vrm, such as name=Figure or authors=Ada; repeatable")
+      ->allow_extra_args(false);
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return export_mesh(*words); }; });
 }

@@ -9,6 +9,7 @@
 #include "engine/io/gltf_write.h"
 #include "engine/io/obj.h"
 #include "engine/io/ply.h"
+#include "engine/rig/t_pose.h"
 
 namespace sinew {
 namespace {
@@ -88,10 +89,24 @@ Result<Bytes> encode(const BakedMesh& mesh, const std::string& output, const Sta
   return Bytes(text.begin(), text.end());
 }
 
+/// The character in a T pose, with its humanoid map.
+Result<Bytes> vrm_of(const StagedCharacter& character, const BakeOptions& options) {
+  const auto posed = in_t_pose(*character.model, character.humanoid);
+  if (!posed) return tl::unexpected<Error>(posed.error());
+  std::map<std::string, int> bones;
+  for (std::size_t i = 0; i < humanoid_bone_count; ++i)
+    if (character.humanoid.node[i] >= 0)
+      bones[std::string(humanoid_name(static_cast<HumanoidBone>(i)))] = character.humanoid.node[i];
+  VrmMeta meta = options.vrm;
+  meta.values.try_emplace("name", std::vector<std::string>{std::filesystem::path(options.output).stem().string()});
+  return vrm_glb(*posed, bones, meta);
+}
+
 Result<BakeReport> write_rig(const Stage& stage, const BakeOptions& options) {
   if (stage.characters.size() != 1)
     return bad_input("{}: --rig writes one character, the scene has {}", stage.source, stage.characters.size());
-  auto bytes = rig_glb(*stage.characters.front().model);
+  const StagedCharacter& character = stage.characters.front();
+  auto bytes = ending_of(options.output) == ".vrm" ? vrm_of(character, options) : rig_glb(*character.model);
   if (!bytes) return pass_on(std::move(bytes));
   if (auto ok = write_file(options.output, *bytes); !ok) return pass_on(std::move(ok));
   return BakeReport{1, stage.vertices(), stage.triangles()};
@@ -101,9 +116,13 @@ Result<BakeReport> write_rig(const Stage& stage, const BakeOptions& options) {
 
 Result<void> check_mesh_name(const BakeOptions& options) {
   const std::string ending = ending_of(options.output);
-  if (options.rig && ending != ".glb")
-    return failure(ErrorKind::usage, "-o {}: --rig writes a name that ends in .glb", options.output);
-  if (ending != ".obj" && ending != ".ply" && ending != ".glb")
+  if (options.rig && ending != ".glb" && ending != ".vrm")
+    return failure(ErrorKind::usage, "-o {}: --rig writes a name that ends in .glb or .vrm", options.output);
+  if (ending == ".vrm" && !options.rig)
+    return failure(ErrorKind::usage, "-o {}: a .vrm is a rig; ask for --rig", options.output);
+  if (ending != ".vrm" && !options.vrm.values.empty())
+    return failure(ErrorKind::usage, "-o {}: --meta goes with a name that ends in .vrm", options.output);
+  if (!options.rig && ending != ".obj" && ending != ".ply" && ending != ".glb")
     return failure(ErrorKind::usage, "-o {}: expected a name that ends in .obj, .ply or .glb", options.output);
   const bool several = options.scene.frames && options.scene.frames->size() > 1;
   if (several && ending != ".glb" && !has_frame_pattern(options.output))

@@ -4,6 +4,7 @@
 #include "engine/app/stage.h"
 #include "engine/core/progress.h"
 #include "engine/gpu/device.h"
+#include "engine/io/vrm_write.h"
 #include "engine/model/baked_mesh.h"
 
 namespace sinew {
@@ -12,7 +13,8 @@ struct BakeOptions {
   SceneOptions scene;
   std::string output;   ///< .obj, .ply or .glb; with a run of '#', a file a frame
   bool by_cpu = false;  ///< vertices from the reference instead of the compute pass
-  bool rig = false;     ///< skeleton, weights and morph targets instead of baked vertices
+  bool rig = false;     ///< skeleton, weights and morph targets instead of baked vertices; .glb or .vrm
+  VrmMeta vrm;          ///< of a .vrm
   ProgressStyle progress = ProgressStyle::automatic;
 };
 

@@ -123,9 +123,8 @@ Result<Bytes> baked_glb(const BakedMesh& mesh, std::string_view name) {
   return glb.finish();
 }
 
-Result<Bytes> rig_glb(const Model& model) {
+void write_rig(const Model& model, GlbBuilder& glb) {
   const RigLayout layout = rig_layout(model);
-  GlbBuilder glb;
   if (!layout.roots.empty()) {
     glb.json["scene"] = 0;
     glb.json["scenes"] = Json::array({{{"nodes", layout.roots}}});
@@ -139,6 +138,11 @@ Result<Bytes> rig_glb(const Model& model) {
   set_unless_empty(glb.json, "skins", std::move(skins));
   set_unless_empty(glb.json, "animations", written_clips(model, layout, glb));
   write_materials(model, glb);
+}
+
+Result<Bytes> rig_glb(const Model& model) {
+  GlbBuilder glb;
+  write_rig(model, glb);
   return glb.finish();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The parts of a written glTF file, one function each: what a Model holds to what the JSON says. For gltf_write.cpp.
+/// The parts of a written glTF file, one function each: what a Model holds to what the JSON says. For gltf_write.cpp
+/// and vrm_write.cpp.
 
 #include <map>
 #include <span>
@@ -24,6 +25,8 @@ int add_times(const std::string& place, std::span<const double> seconds, GlbBuil
 
 Json written_meshes(const Model& model, const RigLayout& layout, GlbBuilder& glb);
 Json written_clips(const Model& model, const RigLayout& layout, GlbBuilder& glb);
+/// Sets all that a rig has: rig_glb without its container.
+void write_rig(const Model& model, GlbBuilder& glb);
 /// Sets `materials` and, where they have pictures, `textures`, `samplers` and `images`.
 void write_materials(const Model& model, GlbBuilder& glb);
 

@@ -59,6 +59,26 @@ TEST_F(FigureCommand, OddOptionsAreWrongUsageAndNamed) {
   EXPECT_TRUE(names().empty());
 }
 
+TEST_F(FigureCommand, BecomesAVrmFile) {
+  ASSERT_EQ(run({"figure", "--like", "woman", "-o", "woman.glb"}).exit_code, 0);
+  const ProgramResult made =
+      run({"export", "woman.glb", "--rig", "-o", "woman.vrm", "--meta", "authors=Ada", "--meta", "name=Woman"});
+  ASSERT_EQ(made.exit_code, 0) << made;
+  const nlohmann::json info = json({"info", "woman.vrm"});
+  EXPECT_EQ(info.at("joints"), 37);
+  EXPECT_EQ(info.at("humanoid").at("leftHand"), "l_radiocarpal");
+  EXPECT_TRUE(info.at("problems").empty()) << info.at("problems");
+  // In a T pose she is nearly as wide as tall.
+  EXPECT_GT(info.at("bounds").at("max").at(0).get<double>(), 0.7);
+  for (const Arguments& odd : {Arguments{"--rig", "-o", "x.vrm", "--meta", "nme=x"}, Arguments{"-o", "x.vrm"},
+                               Arguments{"--rig", "-o", "x.glb", "--meta", "name=x"}}) {
+    Arguments arguments{"export", "woman.glb"};
+    arguments.insert(arguments.end(), odd.begin(), odd.end());
+    EXPECT_EQ(run(arguments).exit_code, 2);
+  }
+  EXPECT_FALSE(names().contains("x.vrm"));
+}
+
 TEST_F(FigureCommand, OutputThatCannotBeWrittenIsSaid) {
   const ProgramResult result = run({"figure", "-o", "missing/figure.glb"});
   EXPECT_EQ(result.exit_code, 7) << result;
