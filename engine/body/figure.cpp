@@ -134,16 +134,12 @@ Half built_half(const HalfCage& cage, const RefinedQuads& refined, const BodyFie
   settle_surface(half.surface, field);
   half.normals = shading_normals(half.surface, field);
 
-  const std::vector<ChainShares> shares = cage_shares(cage);
+  const std::vector<ChainShares> shares = chain_shares(cage, refined);
   half.influences.resize(refined.vertices.size());
   parallel_for(
       refined.vertices.size(),
       [&](std::size_t i) {
-        const Stencil& stencil = refined.vertices[i];
-        ChainShares blended{};
-        for (std::size_t chain = 0; chain < chain_count; ++chain)
-          for (std::size_t c = 0; c < 4; ++c) blended[chain] += stencil.weight[c] * shares[stencil.corner[c]][chain];
-        half.influences[i] = weights.at(half.surface.positions[i], blended, half.surface.on_plane[i]);
+        half.influences[i] = weights.at(half.surface.positions[i], shares[i], half.surface.on_plane[i]);
       },
       256);
   return half;

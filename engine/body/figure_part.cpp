@@ -169,8 +169,8 @@ FieldSample BodyPart::tube_at(const Vec3& p) const {
   const double stretched = beyond_end * R / cap;
   const double round = std::max(std::sqrt(rho * rho + stretched * stretched), 1e-9);
   sample.distance = (round - narrowed) * cosine;
-  sample.gradient = cosine * ((rho * grad_rho + over * (R / cap) * (R / cap) * grad_t) / round - grad_R -
-                              narrowed_slope * grad_t);
+  sample.gradient =
+      cosine * ((rho * grad_rho + over * (R / cap) * (R / cap) * grad_t) / round - grad_R - narrowed_slope * grad_t);
   // A cap that is scaled by the radius would leave a ghost of the part along its axis: a plane beyond its end cuts that
   // off, rounded where the two meet.
   const double end_rounding = std::max(std::min(cap, deepest) - unrounded_cap, 1e-6);

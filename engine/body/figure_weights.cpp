@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/body/figure_relax.h"
+#include "engine/core/parallel.h"
 
 namespace sinew {
 namespace {
@@ -11,26 +12,46 @@ constexpr std::size_t most_influences = 4;
 constexpr double least_weight = 1e-3;
 
 /// Rounds in which chains blend into each other over their borders.
-constexpr int sharing_rounds = 3;
+constexpr int sharing_rounds = 6;
+constexpr double most_fine_rounds = 60.0;
 
 /// 0 before a border, 1 behind it, over `half_width` to either side.
 double behind(double x, double half_width) { return smoothstep01(0.5 * (x / half_width + 1.0)); }
 
+/// Rounds of going half way to the neighbours' mean.
+void blend(std::vector<ChainShares>& shares, const Neighbours& neighbours, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<ChainShares> before = shares;
+    parallel_for(
+        shares.size(),
+        [&](std::size_t i) {
+          ChainShares mean{};
+          for (const Index n : neighbours.of(i))
+            for (std::size_t chain = 0; chain < chain_count; ++chain) mean[chain] += before[n][chain];
+          const double half = 0.5 / static_cast<double>(neighbours.of(i).size());
+          for (std::size_t chain = 0; chain < chain_count; ++chain)
+            shares[i][chain] = 0.5 * before[i][chain] + half * mean[chain];
+        },
+        256);
+  }
+}
+
 }  // namespace
 
-std::vector<ChainShares> cage_shares(const HalfCage& cage) {
-  const Neighbours neighbours(cage.quads, cage.vertices.size());
-  std::vector<ChainShares> shares(cage.vertices.size(), ChainShares{});
-  for (std::size_t i = 0; i < shares.size(); ++i) shares[i][static_cast<std::size_t>(cage.vertices[i].chain)] = 1.0;
-  for (int round = 0; round < sharing_rounds; ++round) {
-    const std::vector<ChainShares> before = shares;
-    for (std::size_t i = 0; i < shares.size(); ++i)
-      for (std::size_t chain = 0; chain < chain_count; ++chain) {
-        double mean = 0.0;
-        for (const Index n : neighbours.of(i)) mean += before[n][chain];
-        shares[i][chain] = 0.5 * (before[i][chain] + mean / static_cast<double>(neighbours.of(i).size()));
-      }
-  }
+std::vector<ChainShares> chain_shares(const HalfCage& cage, const RefinedQuads& refined) {
+  std::vector<ChainShares> on_cage(cage.vertices.size(), ChainShares{});
+  for (std::size_t i = 0; i < on_cage.size(); ++i) on_cage[i][static_cast<std::size_t>(cage.vertices[i].chain)] = 1.0;
+  blend(on_cage, Neighbours(cage.quads, cage.vertices.size()), sharing_rounds);
+
+  std::vector<ChainShares> shares(refined.vertices.size(), ChainShares{});
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t chain = 0; chain < chain_count; ++chain)
+      for (std::size_t c = 0; c < 4; ++c)
+        shares[i][chain] += refined.vertices[i].weight[c] * on_cage[refined.vertices[i].corner[c]][chain];
+  // As far as half a quad of the cage: a random walk goes that far in the square of its steps.
+  const double parts = std::sqrt(static_cast<double>(refined.quads.size()) / static_cast<double>(cage.quads.size()));
+  blend(shares, Neighbours(refined.quads, refined.vertices.size()),
+        static_cast<int>(std::min(0.5 * parts * parts, most_fine_rounds)));
   return shares;
 }
 
@@ -136,15 +157,31 @@ void FigureWeights::add_head(const Vec3& p, double share, Weights& weights) cons
   weights[static_cast<std::size_t>(head_)] += share * (1.0 - jaw);
 }
 
-void FigureWeights::add_arm(const Vec3& p, double share, Weights& weights) const {
+double FigureWeights::arm_share(const Vec3& p) const {
   const BodyPart& arm = body_.part("arm");
   const double t = arm.along(p);
   const Vec3 out = p - arm.on_axis(t);
-  // 1 on top of the shoulder, -1 in the armpit: above, the arm begins later and over a longer stretch.
+  // 1 on top of the shoulder, -1 in the armpit: above, the arm begins nearer to the neck.
   const double up = std::clamp(-glm::dot(unit_or(out, Vec3(0.0)), arm.v(0)), -1.0, 1.0);
-  const double begun = behind(t - (0.008 - 0.014 * up), 0.044 - 0.006 * up);
+  // The flank below the armpit lies beside the arm, not on it.
+  const double on_arm = 1.0 - behind(glm::length(out) - 0.052, 0.022);
+  return behind(t - (0.004 - 0.020 * up), 0.056) * on_arm;
+}
+
+/// The trunk, and on top of the shoulder the arm: when it is raised, what lies between it and the neck goes with it by
+/// degrees, or a notch would open there.
+void FigureWeights::add_shoulder(const Vec3& p, double share, Weights& weights) const {
+  const Vec3& shoulder = body_.joint("upperarm01");
+  const double on_top = behind(p.y - (shoulder.y + 0.005), 0.025) * behind(p.x - 0.5 * shoulder.x, 0.4 * shoulder.x);
+  const double arm = on_top * arm_share(p);
+  add_trunk(p, share * (1.0 - arm), weights);
+  weights[static_cast<std::size_t>(arm_.front().joint)] += share * arm;
+}
+
+void FigureWeights::add_arm(const Vec3& p, double share, Weights& weights) const {
+  const double begun = arm_share(p);
   add_trunk(p, share * (1.0 - begun), weights);
-  add_steps(arm_, t, share * begun, weights);
+  add_steps(arm_, body_.part("arm").along(p), share * begun, weights);
 }
 
 void FigureWeights::add_leg(const Vec3& p, double share, Weights& weights) const {
@@ -172,7 +209,7 @@ void FigureWeights::add_chain(Chain chain, const Vec3& position, double share, W
   if (chain == Chain::leg) return add_leg(position, share, weights);
   if (chain == Chain::arm || chain == Chain::palm) return add_arm(position, share, weights);
   if (chain == Chain::head) return add_head(position, share, weights);
-  add_trunk(position, share, weights);
+  add_shoulder(position, share, weights);
 }
 
 std::vector<Influence> FigureWeights::at(const Vec3& position, const ChainShares& shares, bool on_plane) const {

@@ -7,6 +7,7 @@
 
 #include "engine/body/figure_cage.h"
 #include "engine/body/figure_skeleton.h"
+#include "engine/body/figure_strips.h"
 #include "engine/model/model.h"
 
 namespace sinew {
@@ -14,8 +15,9 @@ namespace sinew {
 /// How far a vertex belongs to each chain; the shares sum to 1.
 using ChainShares = std::array<double, chain_count>;
 
-/// [vertices of the cage] shares, blended over the borders of chains.
-std::vector<ChainShares> cage_shares(const HalfCage& cage);
+/// [refined vertices] shares, blended over the borders of chains: on the cage, and once more where refinement would
+/// leave a kink along the cage's edges.
+std::vector<ChainShares> chain_shares(const HalfCage& cage, const RefinedQuads& refined);
 
 class FigureWeights {
  public:
@@ -36,6 +38,9 @@ class FigureWeights {
 
   void add_chain(Chain chain, const Vec3& position, double share, Weights& weights) const;
   void add_trunk(const Vec3& position, double share, Weights& weights) const;
+  /// How far the upper arm carries the skin at the shoulder, 0 to 1.
+  double arm_share(const Vec3& position) const;
+  void add_shoulder(const Vec3& position, double share, Weights& weights) const;
   void add_head(const Vec3& position, double share, Weights& weights) const;
   void add_arm(const Vec3& position, double share, Weights& weights) const;
   void add_leg(const Vec3& position, double share, Weights& weights) const;
