@@ -10,7 +10,7 @@ constexpr double limb_looseness = 0.12, junction_looseness = 0.5;
 
 /// The first rings lie close together; refinement cuts between them as if they did not.
 constexpr std::size_t shoulder_rings = 4;
-constexpr double shoulder_detail = 2.3;
+constexpr double shoulder_detail = 2.9;
 
 /// The palm's end is a lattice of 4 fingers across and 2 cells from palm to back.
 constexpr int fingers = 4, deep = 2;

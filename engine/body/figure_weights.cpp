@@ -15,6 +15,14 @@ constexpr double least_weight = 1e-3;
 constexpr int sharing_rounds = 6;
 constexpr double most_fine_rounds = 60.0;
 
+/// Where, along the arm, and in how many directions its thickness below the armpit is taken.
+constexpr double radius_at = 0.06;
+constexpr int radius_samples = 16;
+
+/// Skin further than this from the arm's axis is no longer the arm's: at least so far, and so many times the arm's
+/// thickness.
+constexpr double least_reach = 0.052, reach_in_radii = 1.7;
+
 /// 0 before a border, 1 behind it, over `half_width` to either side.
 double behind(double x, double half_width) { return smoothstep01(0.5 * (x / half_width + 1.0)); }
 
@@ -82,6 +90,10 @@ FigureWeights::FigureWeights(const MeasuredBody& body, const FigureSkeleton& ske
                          std::vector<double>{0.0, spine_width, spine_width, spine_width, spine_width, spine_width,
                                              spine_width, 0.022, 0.018, 0.018});
   const BodyPart &arm = body.part("arm"), &leg = body.part("leg"), &foot = body.part("foot");
+  for (int k = 0; k < radius_samples; ++k)
+    arm_radius_ +=
+        glm::distance(arm.on_surface(radius_at, 2.0 * std::numbers::pi * k / radius_samples), arm.on_axis(radius_at)) /
+        radius_samples;
   const double elbow = arm.along(body.joint("lowerarm01")), wrist = arm.along(body.joint("wrist"));
   // Without a twist joint in the forearm its skin takes up the turn of the hand, over a longer way.
   const bool twists = skeleton.has("l_forearm_twist");
@@ -164,8 +176,8 @@ double FigureWeights::arm_share(const Vec3& p) const {
   // 1 on top of the shoulder, -1 in the armpit: above, the arm begins nearer to the neck.
   const double up = std::clamp(-glm::dot(unit_or(out, Vec3(0.0)), arm.v(0)), -1.0, 1.0);
   // The flank below the armpit lies beside the arm, not on it.
-  const double on_arm = 1.0 - behind(glm::length(out) - 0.052, 0.022);
-  return behind(t - (0.004 - 0.020 * up), 0.056) * on_arm;
+  const double on_arm = 1.0 - behind(glm::length(out) - std::max(least_reach, reach_in_radii * arm_radius_), 0.022);
+  return behind(t - (0.006 - 0.020 * up), 0.056) * on_arm;
 }
 
 /// The trunk, and on top of the shoulder the arm: when it is raised, what lies between it and the neck goes with it by

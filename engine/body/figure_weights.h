@@ -54,6 +54,7 @@ class FigureWeights {
   const FigureSkeleton& skeleton_;
   std::vector<Step> spine_, foot_, leg_, arm_;
   std::array<std::vector<Step>, 5> finger_;
+  double arm_radius_ = 0.0;
   int clavicle_ = 0, acromion_ = 0, head_ = 0, jaw_ = 0, neck_ = 0;
 };
 

@@ -217,8 +217,10 @@ TEST_P(Figure, IsACompleteHumanoidWithMusclesOfTheUsualShare) {
         static_cast<double>(placed.region.vertices.size()) / static_cast<double>(placed.region.segment_vertices);
     // The thesis' regions are 22 % and 14 % of their segments; meshes differ in where their rings are.
     const bool biceps = placed.muscle.name.starts_with("biceps");
+    // On a body as heavy and muscular as there is, the front of the arm is wider.
+    const double extra = GetParam().options.build > 0.0 ? 0.02 : 0.0;
     EXPECT_GE(share, biceps ? 0.18 : 0.10) << placed.muscle.name;
-    EXPECT_LE(share, biceps ? 0.26 : 0.18) << placed.muscle.name;
+    EXPECT_LE(share, (biceps ? 0.26 : 0.18) + extra) << placed.muscle.name;
   }
 }
 
@@ -243,6 +245,71 @@ TEST(FigureBuild, WaistIsAsMeasured) {
     // what the blend of two bodies does to their girths make the rest.
     EXPECT_NEAR(waist / body.height, body.girths.at("waist_min"), 0.025 * body.girths.at("waist_min")) << sex;
   }
+}
+
+/// Positions in a pose: joints by name, turned by so many degrees about an axis.
+std::vector<Vec3> turned(const Model& model, const std::vector<std::string>& joints, const Vec3& axis, double degrees) {
+  Pose pose = rest_pose(model);
+  // No joint of a figure has a rotation of its own: the model's axes are every joint's.
+  for (std::size_t node = 0; node < model.nodes.size(); ++node)
+    if (std::ranges::find(joints, model.nodes[node].name) != joints.end())
+      pose.local[node].rotation = glm::angleAxis(degrees * degrees_to_radians, axis);
+  return skinned_positions(model, pose);
+}
+
+Vec3 place_of(const Model& model, const std::string& name) {
+  Vec3 place(0.0);
+  for (std::size_t node = 0; node < model.nodes.size(); ++node)
+    if (model.nodes[node].name == name)
+      for (int n = static_cast<int>(node); n >= 0; n = model.nodes[n].parent) place += model.nodes[n].rest.translation;
+  return place;
+}
+
+/// The least share of its distance from the line elbow to wrist that a vertex between them keeps when the forearm is
+/// turned about it.
+double least_kept(const Model& model, const std::vector<std::string>& joints) {
+  const Vec3 elbow = place_of(model, "l_elbow"), wrist = place_of(model, "l_radiocarpal");
+  const Vec3 axis = glm::normalize(wrist - elbow);
+  const double length = glm::distance(wrist, elbow);
+  const std::vector<Vec3> posed = turned(model, joints, axis, 90.0 / static_cast<double>(joints.size()));
+  const auto from_axis = [&](const Vec3& p) { return glm::length(glm::cross(p - elbow, axis)); };
+  double least = 1.0;
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    const Vec3& rest = skin_of(model).positions[v];
+    const double t = glm::dot(rest - elbow, axis) / length;
+    if (t < -0.1 || t > 1.0 || from_axis(rest) > 0.08) continue;
+    least = std::min(least, from_axis(posed[v]) / from_axis(rest));
+  }
+  return least;
+}
+
+TEST(FigureBuild, ATurnedForearmStaysRound) {
+  FigureOptions options = *figure_preset("skeleton");
+  options.joints = 68;
+  const Model model = built(options);
+  // Between two joints that differ by 30 degrees linear blending keeps cos(15), 0.966; where three blend a little less.
+  EXPECT_GT(least_kept(model, {"l_elbow", "l_forearm_twist", "l_radiocarpal"}), 0.93);
+  // All at the elbow it would be cos(45), 0.71: what the twist joints are there for.
+  EXPECT_LT(least_kept(model, {"l_elbow"}), 0.75);
+}
+
+TEST(FigureBuild, ABentElbowAndARaisedArmLoseNoFlesh) {
+  const Model model = built(*figure_preset("woman"));
+  const auto volume = [&](const std::vector<Vec3>& p) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < skin_of(model).indices.size(); i += 3) {
+      const auto at = [&](std::size_t c) { return p[skin_of(model).indices[i + c]]; };
+      sum += glm::dot(at(0), glm::cross(at(1), at(2))) / 6.0;
+    }
+    return sum;
+  };
+  const double rest = volume(skin_of(model).positions);
+  const Vec3 arm = glm::normalize(place_of(model, "l_elbow") - place_of(model, "l_shoulder"));
+  // An arm is a twentieth of the body: a joint that collapsed would cost several tenths of a per cent.
+  EXPECT_NEAR(volume(turned(model, {"l_elbow"}, glm::normalize(glm::cross(arm, Vec3(0, 0, 1))), 145.0)), rest,
+              0.006 * rest);
+  EXPECT_NEAR(volume(turned(model, {"l_shoulder"}, Vec3(0, 0, 1), 90.0)), rest, 0.012 * rest);
+  EXPECT_NEAR(volume(turned(model, {"l_knee"}, Vec3(1, 0, 0), 120.0)), rest, 0.015 * rest);
 }
 
 TEST(FigureBuild, SameOptionsGiveTheSameBytes) {
