@@ -173,7 +173,10 @@ Model make_arm(const ArmShape& shape) {
   model.roots.push_back(static_cast<int>(model.nodes.size()));
   model.nodes.push_back(body);
   model.meshes.push_back({.name = "arm", .primitives = {skin}, .morph_weights = {}});
-  model.materials.push_back({.name = "skin", .base_colour = shape.base_colour});
+  Material& material = model.materials.emplace_back();
+  material.name = "skin";
+  material.base_colour = shape.base_colour;
+  material.roughness = 0.55;
   return model;
 }
 

@@ -76,6 +76,8 @@ struct Bounds {
   }
   bool empty() const { return low.x > high.x; }
   Vec3 centre() const { return 0.5 * (low + high); }
+  /// One of the eight corners: bits 0, 1 and 2 of `i` choose the high end of x, y and z.
+  Vec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
   double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
 };
 

@@ -20,9 +20,11 @@ constexpr std::size_t most_problems = 300;
 constexpr JsonLimits json_limits{largest_input, 64, 2'000'000};
 
 /// What a file may insist on: the reader obeys these, or they do not touch what it reads.
-constexpr std::array<std::string_view, 6> supported = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 8> supported = {"KHR_mesh_quantization",
                                                        "KHR_texture_transform",
                                                        "KHR_materials_unlit",
+                                                       "KHR_materials_emissive_strength",
+                                                       "KHR_materials_specular",
                                                        "KHR_materials_pbrSpecularGlossiness",
                                                        "VRMC_vrm",
                                                        "VRM"};

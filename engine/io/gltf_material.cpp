@@ -36,94 +36,178 @@ int index_at(const json* value, std::size_t size) {
   return x >= 0 && x < static_cast<double>(size) && x == std::floor(x) ? static_cast<int>(x) : -1;
 }
 
-void read_transform(Document& document, const json& info, const std::string& place, TextureUse& use) {
-  const json* transform = find(info, {"extensions", "KHR_texture_transform"});
-  if (transform == nullptr) return;
-  const auto pair = [&](const char* key, Vec2& to) {
-    const json* value = find(*transform, {key});
-    std::array<double, 2> numbers{};
-    if (value == nullptr) return;
-    if (numbers_at(value, numbers))
-      to = {numbers[0], numbers[1]};
+/// Reads one material, property by property.
+class MaterialReader {
+ public:
+  MaterialReader(Document& document, std::size_t index)
+      : document_(document),
+        from_(document.gltf.materials[index]),
+        source_(document.source["materials"][index]),
+        place_(fmt::format("materials/{}", index)) {}
+
+  void run() {
+    material.name = from_.name;
+    material.double_sided = from_.doubleSided;
+    material.alpha_cutoff = from_.alphaCutoff;
+    if (from_.alphaMode == "MASK") material.alpha_mode = AlphaMode::mask;
+    if (from_.alphaMode == "BLEND") material.alpha_mode = AlphaMode::blend;
+    material.unlit = find(source_, {"extensions", "KHR_materials_unlit"}) != nullptr;
+    if (find(source_, {"pbrMetallicRoughness"}) == nullptr &&
+        find(source_, {"extensions", "KHR_materials_pbrSpecularGlossiness"}) != nullptr)
+      read_specular_glossiness();
     else
-      document.problem("{}/extensions/KHR_texture_transform/{}: must be two numbers; ignored", place, key);
-  };
-  pair("offset", use.offset);
-  pair("scale", use.scale);
-  if (const json* rotation = find(*transform, {"rotation"})) {
-    if (rotation->is_number() && std::abs(rotation->get<double>()) < 1e6)
-      use.rotation = rotation->get<double>();
-    else
-      document.problem("{}/extensions/KHR_texture_transform/rotation: must be an angle in radians; ignored", place);
+      read_metallic_roughness();
+    read_relief();
+    read_emission();
+    read_specular();
   }
-  if (const int set = index_at(find(*transform, {"texCoord"}), 64); set >= 0) use.set = set;
-}
 
-void read_texture(Document& document, int texture, const std::string& place, Material& material) {
-  const tinygltf::Texture& from = document.gltf.textures[static_cast<std::size_t>(texture)];
-  if (from.sampler >= 0) {
-    const tinygltf::Sampler& sampler = document.gltf.samplers[static_cast<std::size_t>(from.sampler)];
-    material.wrap_u = wrap_of(sampler.wrapS);
-    material.wrap_v = wrap_of(sampler.wrapT);
-    material.nearest_filter = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
-  }
-  material.base_colour_image = from.source;
-  if (from.source < 0) document.problem("{}: textures/{} has no PNG or JPEG image; drawn without it", place, texture);
-}
-
-Vec4 clamped_colour(Document& document, const std::array<double, 4>& c, const std::string& place) {
-  const Vec4 colour(c[0], c[1], c[2], c[3]);
-  const Vec4 clamped = glm::clamp(colour, 0.0, 1.0);
-  if (colour != clamped) document.problem("{}: a colour outside 0 to 1; clamped", place);
-  return clamped;
-}
-
-/// KHR_materials_pbrSpecularGlossiness, archived but met in older files: its diffuse colour is our base colour.
-void read_diffuse(Document& document, const json& source, const std::string& place, Material& material,
-                  TextureUse& use) {
-  const json* extension = find(source, {"extensions", "KHR_materials_pbrSpecularGlossiness"});
-  if (extension == nullptr) return;
-  std::array<double, 4> factor{};
-  if (numbers_at(find(*extension, {"diffuseFactor"}), factor))
-    material.base_colour = clamped_colour(document, factor, place + "/diffuseFactor");
-  const json* info = find(*extension, {"diffuseTexture"});
-  if (info == nullptr) return;
-  const int texture = index_at(find(*info, {"index"}), document.gltf.textures.size());
-  if (texture < 0) {
-    document.problem("{}/diffuseTexture: names no texture of the file; drawn without it", place);
-    return;
-  }
-  use.set = std::max(index_at(find(*info, {"texCoord"}), 64), 0);
-  read_texture(document, texture, place + "/diffuseTexture", material);
-  read_transform(document, *info, place + "/diffuseTexture", use);
-}
-
-Material read_material(Document& document, std::size_t index, TextureUse& use) {
-  const tinygltf::Material& from = document.gltf.materials[index];
-  const json& source = document.source["materials"][index];
-  const std::string place = fmt::format("materials/{}", index);
   Material material;
-  material.name = from.name;
-  material.double_sided = from.doubleSided;
-  material.alpha_cutoff = from.alphaCutoff;
-  if (from.alphaMode == "MASK") material.alpha_mode = AlphaMode::mask;
-  if (from.alphaMode == "BLEND") material.alpha_mode = AlphaMode::blend;
-  const json* metallic = find(source, {"pbrMetallicRoughness"});
-  if (metallic == nullptr) {
-    read_diffuse(document, source, place, material, use);
-    return material;
+  CoordinateSets sets{0, -1};
+
+ private:
+  void read_metallic_roughness() {
+    const tinygltf::PbrMetallicRoughness& from = from_.pbrMetallicRoughness;
+    const auto& factor = from.baseColorFactor;
+    material.base_colour =
+        clamped_colour({factor[0], factor[1], factor[2], factor[3]}, "pbrMetallicRoughness/baseColorFactor");
+    material.metallic = clamped(from.metallicFactor, "pbrMetallicRoughness/metallicFactor");
+    material.roughness = clamped(from.roughnessFactor, "pbrMetallicRoughness/roughnessFactor");
+    material.base_colour_texture = texture({"pbrMetallicRoughness", "baseColorTexture"});
+    material.metallic_roughness_texture = texture({"pbrMetallicRoughness", "metallicRoughnessTexture"});
   }
-  const auto& factor = from.pbrMetallicRoughness.baseColorFactor;
-  material.base_colour = clamped_colour(document, {factor[0], factor[1], factor[2], factor[3]},
-                                        place + "/pbrMetallicRoughness/baseColorFactor");
-  const tinygltf::TextureInfo& info = from.pbrMetallicRoughness.baseColorTexture;
-  if (info.index < 0) return material;
-  const std::string at = place + "/pbrMetallicRoughness/baseColorTexture";
-  use.set = info.texCoord;
-  read_texture(document, info.index, at, material);
-  read_transform(document, *find(*metallic, {"baseColorTexture"}), at, use);
-  return material;
-}
+
+  /// KHR_materials_pbrSpecularGlossiness, archived but met in older files: its diffuse colour is our base colour, what
+  /// is not glossy is rough, and its specular colour is taken for that of what is no metal.
+  void read_specular_glossiness() {
+    const char* name = "KHR_materials_pbrSpecularGlossiness";
+    const json& extension = *find(source_, {"extensions", name});
+    material.metallic = 0.0;
+    std::array<double, 4> factor{};
+    if (numbers_at(find(extension, {"diffuseFactor"}), factor))
+      material.base_colour = clamped_colour(factor, "diffuseFactor");
+    material.base_colour_texture = texture({"extensions", name, "diffuseTexture"});
+    material.roughness = 1.0 - clamped(number(extension, "glossinessFactor", 1.0), "glossinessFactor");
+  }
+
+  void read_relief() {
+    material.normal_texture = texture({"normalTexture"});
+    material.normal_scale = from_.normalTexture.scale;
+    material.occlusion_texture = texture({"occlusionTexture"});
+    material.occlusion_strength = clamped(from_.occlusionTexture.strength, "occlusionTexture/strength");
+  }
+
+  void read_emission() {
+    if (from_.emissiveFactor.size() == 3)
+      for (int i = 0; i < 3; ++i) material.emissive[i] = clamped(from_.emissiveFactor[i], "emissiveFactor");
+    if (const json* extension = find(source_, {"extensions", "KHR_materials_emissive_strength"}))
+      material.emissive *= std::clamp(number(*extension, "emissiveStrength", 1.0), 0.0, 1e6);
+    material.emissive_texture = texture({"emissiveTexture"});
+  }
+
+  void read_specular() {
+    const json* extension = find(source_, {"extensions", "KHR_materials_specular"});
+    if (extension == nullptr) return;
+    material.specular = clamped(number(*extension, "specularFactor", 1.0), "KHR_materials_specular/specularFactor");
+    std::array<double, 3> colour{};
+    if (numbers_at(find(*extension, {"specularColorFactor"}), colour))
+      material.specular_colour = glm::clamp(Vec3(colour[0], colour[1], colour[2]), 0.0, 25.0);
+  }
+
+  /// The texture that is described at a chain of keys of the material, or none. conform() has checked what lies outside
+  /// extensions only.
+  Texture texture(std::initializer_list<const char*> keys) {
+    const json* info = find(source_, keys);
+    if (info == nullptr || !info->is_object()) return {};
+    const std::string place = fmt::format("{}/{}", place_, fmt::join(keys, "/"));
+    const int index = index_at(find(*info, {"index"}), document_.gltf.textures.size());
+    if (index < 0) {
+      document_.problem("{}: names no texture of the file; drawn without it", place);
+      return {};
+    }
+    const tinygltf::Texture& from = document_.gltf.textures[static_cast<std::size_t>(index)];
+    Texture texture;
+    if (from.source < 0) document_.problem("{}: textures/{} has no PNG or JPEG image; drawn without it", place, index);
+    texture.image = from.source;
+    read_sampler(from, texture);
+    int set = std::max(index_at(find(*info, {"texCoord"}), 64), 0);
+    read_transform(*info, place, texture, set);
+    choose_coordinates(set, place, texture);
+    return texture;
+  }
+
+  void read_sampler(const tinygltf::Texture& from, Texture& texture) const {
+    if (from.sampler < 0) return;
+    const tinygltf::Sampler& sampler = document_.gltf.samplers[static_cast<std::size_t>(from.sampler)];
+    texture.wrap_u = wrap_of(sampler.wrapS);
+    texture.wrap_v = wrap_of(sampler.wrapT);
+    texture.nearest_filter = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  }
+
+  void read_transform(const json& info, const std::string& place, Texture& texture, int& set) {
+    const json* transform = find(info, {"extensions", "KHR_texture_transform"});
+    if (transform == nullptr) return;
+    const auto pair = [&](const char* key, Vec2& to) {
+      const json* value = find(*transform, {key});
+      std::array<double, 2> numbers{};
+      if (value == nullptr) return;
+      if (numbers_at(value, numbers))
+        to = {numbers[0], numbers[1]};
+      else
+        document_.problem("{}/extensions/KHR_texture_transform/{}: must be two numbers; ignored", place, key);
+    };
+    pair("offset", texture.offset);
+    pair("scale", texture.scale);
+    if (const json* rotation = find(*transform, {"rotation"})) {
+      if (rotation->is_number() && std::abs(rotation->get<double>()) < 1e6)
+        texture.rotation = rotation->get<double>();
+      else
+        document_.problem("{}/extensions/KHR_texture_transform/rotation: must be an angle in radians; ignored", place);
+    }
+    if (const int other = index_at(find(*transform, {"texCoord"}), 64); other >= 0) set = other;
+  }
+
+  void choose_coordinates(int set, const std::string& place, Texture& texture) {
+    if (!texture.there()) return;
+    if (!any_texture_) sets[0] = set;
+    any_texture_ = true;
+    if (set == sets[0]) return;
+    if (sets[1] < 0) sets[1] = set;
+    texture.coordinates = 1;
+    if (set == sets[1]) return;
+    document_.problem("{}: TEXCOORD_{} is a third set of texture coordinates, two is the most; drawn without it", place,
+                      set);
+    texture = {};
+  }
+
+  Vec4 clamped_colour(const std::array<double, 4>& c, const char* property) {
+    const Vec4 colour(c[0], c[1], c[2], c[3]);
+    const Vec4 clamped = glm::clamp(colour, 0.0, 1.0);
+    if (colour != clamped) document_.problem("{}/{}: a colour outside 0 to 1; clamped", place_, property);
+    return clamped;
+  }
+
+  double clamped(double value, const char* property) {
+    if (value < 0.0 || value > 1.0)
+      document_.problem("{}/{}: {:.4g} lies outside 0 to 1; clamped", place_, property, value);
+    return std::clamp(value, 0.0, 1.0);
+  }
+
+  /// A number of an extension, which conform() does not see.
+  double number(const json& extension, const char* key, double otherwise) {
+    const json* value = find(extension, {key});
+    if (value == nullptr) return otherwise;
+    if (value->is_number() && std::abs(value->get<double>()) < 1e30) return value->get<double>();
+    document_.problem("{}: {} must be a number; ignored", place_, key);
+    return otherwise;
+  }
+
+  Document& document_;
+  const tinygltf::Material& from_;
+  const json& source_;
+  std::string place_;
+  bool any_texture_ = false;
+};
 
 bool is_png_or_jpeg(const std::vector<unsigned char>& bytes) {
   constexpr unsigned char png[] = {0x89, 'P', 'N', 'G'}, jpeg[] = {0xFF, 0xD8, 0xFF};
@@ -155,18 +239,13 @@ void read_image_bytes(Document& document, const json& source, const std::string&
 
 }  // namespace
 
-Vec2 TextureUse::apply(const Vec2& uv) const {
-  const Vec2 scaled = scale * uv;
-  const double c = std::cos(rotation), s = std::sin(rotation);
-  return offset + Vec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x);
-}
-
 Materials read_materials(Document& document) {
   Materials read;
   for (std::size_t i = 0; i < document.gltf.materials.size(); ++i) {
-    TextureUse use;
-    read.materials.push_back(read_material(document, i, use));
-    read.uses.push_back(use);
+    MaterialReader reader(document, i);
+    reader.run();
+    read.materials.push_back(std::move(reader.material));
+    read.sets.push_back(reader.sets);
   }
   return read;
 }

@@ -1,6 +1,8 @@
 #pragma once
-/// Materials, textures and images: the base colour only (glTF 2.0 sections 3.8 and 3.9).
+/// Materials and images (glTF 2.0 sections 3.8 and 3.9; KHR_texture_transform, KHR_materials_unlit,
+/// KHR_materials_emissive_strength, KHR_materials_specular's factors, KHR_materials_pbrSpecularGlossiness' colours).
 
+#include <array>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -9,23 +11,17 @@
 
 namespace sinew::gltf {
 
-/// Which texture coordinates a material's base colour is looked up with, and what is done to them before:
-/// KHR_texture_transform, uv' = offset + rotation (scale uv).
-struct TextureUse {
-  int set = 0;  ///< n of TEXCOORD_n
-  Vec2 offset{0.0};
-  double rotation = 0.0;  ///< radians, counter-clockwise as the picture is seen (v points down)
-  Vec2 scale{1.0};
-
-  Vec2 apply(const Vec2& uv) const;
-};
+/// Which of a file's texture coordinates a material needs: n of TEXCOORD_n for Texture::coordinates 0 and 1. Where only
+/// one is needed the second is -1.
+using CoordinateSets = std::array<int, 2>;
 
 struct Materials {
   std::vector<Material> materials;
-  std::vector<TextureUse> uses;  ///< [materials]
+  std::vector<CoordinateSets> sets;  ///< [materials]
 };
 
-/// Never fails: a material with a fault is read as far as it goes, and the fault noted.
+/// Never fails: a material with a fault is read as far as it goes, and the fault noted. A texture that would need a
+/// third set of coordinates is left out and noted.
 Materials read_materials(Document& document);
 
 /// All images, still encoded. One that cannot be found, or is neither PNG nor JPEG, is left empty and noted; fails only

@@ -5,6 +5,7 @@
 
 #include "engine/io/gltf_access.h"
 #include "engine/io/gltf_morph.h"
+#include "engine/io/gltf_surface.h"
 #include "engine/io/gltf_triangles.h"
 #include "engine/io/gltf_weights.h"
 
@@ -37,14 +38,15 @@ class PrimitiveReader {
   PrimitiveReader(Document& document, const tinygltf::Primitive& from, std::string place)
       : document_(document), from_(from), place_(std::move(place)) {}
 
-  Result<Primitive> read(const std::vector<TextureUse>& uses, const std::vector<std::string>& target_names) {
+  Result<Primitive> read(const Materials& materials, const std::vector<std::string>& target_names) {
     if (auto counts = check_counts(); !counts) return pass_on(std::move(counts));
     if (auto positions = read_positions(); !positions) return pass_on(std::move(positions));
     auto triangles = read_triangles(document_, from_, place_, to_.positions.size());
     if (!triangles) return pass_on(std::move(triangles));
     to_.indices = std::move(*triangles);
     if (auto normals = read_normals(); !normals) return pass_on(std::move(normals));
-    if (auto uv = read_texture_coordinates(uses); !uv) return pass_on(std::move(uv));
+    if (auto surface = read_surface(document_, from_, place_, materials, to_); !surface)
+      return pass_on(std::move(surface));
     auto influences = read_influences(document_, from_.attributes, place_, to_.positions.size());
     if (!influences) return pass_on(std::move(influences));
     to_.influences = std::move(*influences);
@@ -126,35 +128,6 @@ class PrimitiveReader {
     document_.problem("{}: {} normals have no direction; computed from the triangles", place_, unusable.size());
   }
 
-  Result<void> read_texture_coordinates(const std::vector<TextureUse>& uses) {
-    const TextureUse use = from_.material >= 0 ? uses[static_cast<std::size_t>(from_.material)] : TextureUse{};
-    const std::string name = fmt::format("TEXCOORD_{}", use.set);
-    const int accessor = attribute(from_, name);
-    if (accessor < 0) {
-      if (is_textured())
-        document_.problem("{}: its material's texture needs {}, which is not there; drawn without it", place_, name);
-      return {};
-    }
-    auto numbers = read_accessor(document_, accessor, fmt::format("{}/attributes/{}", place_, name),
-                                 {TINYGLTF_TYPE_VEC2, any_component, "VEC2 of floats, bytes or shorts"});
-    if (!numbers) return pass_on(std::move(numbers));
-    std::size_t bad = 0;
-    to_.texture_coordinates.reserve(numbers->count());
-    for (std::size_t v = 0; v < numbers->count(); ++v) {
-      const bool finite = numbers->finite(v);
-      bad += finite ? 0 : 1;
-      to_.texture_coordinates.push_back(finite ? use.apply({numbers->at(v)[0], numbers->at(v)[1]}) : Vec2(0.0));
-    }
-    if (bad > 0) document_.problem("{}: {} of {} are not finite; taken as 0", place_, bad, name);
-    return {};
-  }
-
-  bool is_textured() const {
-    if (from_.material < 0) return false;
-    const auto& material = document_.gltf.materials[static_cast<std::size_t>(from_.material)];
-    return material.pbrMetallicRoughness.baseColorTexture.index >= 0;
-  }
-
   Document& document_;
   const tinygltf::Primitive& from_;
   std::string place_;
@@ -192,7 +165,7 @@ Result<void> fit_weights(Document& document, const std::string& place, std::size
   return {};
 }
 
-Result<Mesh> read_mesh(Document& document, std::size_t index, const std::vector<TextureUse>& uses) {
+Result<Mesh> read_mesh(Document& document, std::size_t index, const Materials& materials) {
   const tinygltf::Mesh& from = document.gltf.meshes[index];
   const std::string at = fmt::format("meshes/{}", index);
   const auto names = read_target_names(document, index);
@@ -208,7 +181,7 @@ Result<Mesh> read_mesh(Document& document, std::size_t index, const std::vector<
       document.problem("{}: has no POSITION; left out", place);
       continue;
     }
-    auto primitive = PrimitiveReader(document, from.primitives[p], place).read(uses, names);
+    auto primitive = PrimitiveReader(document, from.primitives[p], place).read(materials, names);
     if (!primitive) return pass_on(std::move(primitive));
     mesh.primitives.push_back(std::move(*primitive));
   }
@@ -242,10 +215,10 @@ HighestJoint highest_joint(const Mesh& mesh) {
 
 }  // namespace
 
-Result<std::vector<Mesh>> read_meshes(Document& document, const std::vector<TextureUse>& uses) {
+Result<std::vector<Mesh>> read_meshes(Document& document, const Materials& materials) {
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < document.gltf.meshes.size(); ++i) {
-    auto mesh = read_mesh(document, i, uses);
+    auto mesh = read_mesh(document, i, materials);
     if (!mesh) return pass_on(std::move(mesh));
     meshes.push_back(std::move(*mesh));
   }

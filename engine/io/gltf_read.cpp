@@ -24,9 +24,9 @@ Result<Model> read_document(gltf::Document& document) {
   if (!skins) return pass_on(std::move(skins));
   model.skins = std::move(*skins);
   auto materials = gltf::read_materials(document);
-  model.materials = std::move(materials.materials);
-  auto meshes = gltf::read_meshes(document, materials.uses);
+  auto meshes = gltf::read_meshes(document, materials);
   if (!meshes) return pass_on(std::move(meshes));
+  model.materials = std::move(materials.materials);
   model.meshes = std::move(*meshes);
   if (auto matched = gltf::match_nodes_with_meshes(document, model); !matched) return pass_on(std::move(matched));
   auto clips = gltf::read_clips(document, model.nodes, model.meshes);

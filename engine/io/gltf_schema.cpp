@@ -111,10 +111,22 @@ constexpr Property scene[] = {text("name"), list(reference("nodes", "nodes"))};
 constexpr Property skin[] = {text("name"), reference("inverseBindMatrices", "accessors"),
                              reference("skeleton", "nodes"), required(list(reference("joints", "nodes"), 1))};
 constexpr Property texture_info[] = {required(reference("index", "textures")), whole("texCoord")};
+constexpr Property normal_texture_info[] = {required(reference("index", "textures")), whole("texCoord"),
+                                            number("scale")};
+constexpr Property occlusion_texture_info[] = {required(reference("index", "textures")), whole("texCoord"),
+                                               number("strength")};
 constexpr Property metallic_roughness[] = {list(number("baseColorFactor"), 4, 4),
-                                           object("baseColorTexture", texture_info)};
-constexpr Property material[] = {text("name"), object("pbrMetallicRoughness", metallic_roughness),
-                                 word("alphaMode", alpha_modes), number("alphaCutoff", 0.0), flag("doubleSided")};
+                                           object("baseColorTexture", texture_info), number("metallicFactor"),
+                                           number("roughnessFactor"), object("metallicRoughnessTexture", texture_info)};
+constexpr Property material[] = {text("name"),
+                                 object("pbrMetallicRoughness", metallic_roughness),
+                                 object("normalTexture", normal_texture_info),
+                                 object("occlusionTexture", occlusion_texture_info),
+                                 object("emissiveTexture", texture_info),
+                                 list(number("emissiveFactor"), 3, 3),
+                                 word("alphaMode", alpha_modes),
+                                 number("alphaCutoff", 0.0),
+                                 flag("doubleSided")};
 constexpr Property texture[] = {text("name"), reference("sampler", "samplers"), reference("source", "images")};
 constexpr Property image[] = {text("name"), text("uri"), text("mimeType"), reference("bufferView", "bufferViews")};
 constexpr Property sampler[] = {choice("magFilter", filters), choice("minFilter", filters), choice("wrapS", wraps),

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <set>
 #include <tuple>
 
 #include "engine/io/gltf_write_parts.h"
@@ -45,6 +46,7 @@ class MaterialWriter {
     set_unless_empty(glb_.json, "textures", std::move(textures_));
     set_unless_empty(glb_.json, "samplers", std::move(samplers_));
     set_unless_empty(glb_.json, "images", std::move(images_));
+    for (const std::string& name : extensions_) glb_.json["extensionsUsed"].push_back(name);
   }
 
  private:
@@ -55,13 +57,21 @@ class MaterialWriter {
     std::array<double, 4> colour;
     for (int i = 0; i < 4; ++i) colour[i] = std::clamp(material.base_colour[i], 0.0, 1.0);
     surface["baseColorFactor"] = colour;
-    if (const int texture = texture_of(material); texture >= 0) surface["baseColorTexture"] = {{"index", texture}};
-    // A Model knows colours only; glTF's default is metal, which most viewers show as a dark mirror.
-    surface["metallicFactor"] = 0;
+    set_texture(surface, "baseColorTexture", material.base_colour_texture);
+    // glTF's default for both is 1: metal, which most viewers show as a dark mirror.
+    surface["metallicFactor"] = std::clamp(material.metallic, 0.0, 1.0);
+    surface["roughnessFactor"] = std::clamp(material.roughness, 0.0, 1.0);
+    set_texture(surface, "metallicRoughnessTexture", material.metallic_roughness_texture);
 
     Json out = Json::object();
     if (!material.name.empty()) out["name"] = material.name;
     out["pbrMetallicRoughness"] = std::move(surface);
+    set_texture(out, "normalTexture", material.normal_texture, "scale", material.normal_scale);
+    set_texture(out, "occlusionTexture", material.occlusion_texture, "strength", material.occlusion_strength);
+    set_texture(out, "emissiveTexture", material.emissive_texture);
+    add_emission(out, material);
+    add_specular(out, material);
+    if (material.unlit) add_extension(out, "KHR_materials_unlit", Json::object());
     if (material.alpha_mode == AlphaMode::blend) out["alphaMode"] = "BLEND";
     if (material.alpha_mode == AlphaMode::mask) {
       out["alphaMode"] = "MASK";
@@ -71,11 +81,51 @@ class MaterialWriter {
     return out;
   }
 
-  int texture_of(const Material& material) {
-    if (material.base_colour_image < 0) return -1;
-    const int image = image_of(material.base_colour_image);
+  void add_extension(Json& object, const char* name, Json value) {
+    object["extensions"][name] = std::move(value);
+    extensions_.insert(name);
+  }
+
+  void add_emission(Json& out, const Material& material) {
+    const double strongest = std::max({material.emissive.x, material.emissive.y, material.emissive.z});
+    if (!(strongest > 0.0)) return;
+    const double strength = std::max(strongest, 1.0);
+    const Vec3 factor = glm::clamp(material.emissive / strength, 0.0, 1.0);
+    out["emissiveFactor"] = {factor.x, factor.y, factor.z};
+    if (strength > 1.0) add_extension(out, "KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
+  }
+
+  void add_specular(Json& out, const Material& material) {
+    Json specular = Json::object();
+    if (material.specular != 1.0) specular["specularFactor"] = material.specular;
+    const Vec3& colour = material.specular_colour;
+    if (colour != Vec3(1.0)) specular["specularColorFactor"] = {colour.x, colour.y, colour.z};
+    if (!specular.empty()) add_extension(out, "KHR_materials_specular", std::move(specular));
+  }
+
+  /// Describes a texture at a key, with a factor of its own where that is not 1; nothing where there is no picture.
+  void set_texture(Json& object, const char* key, const Texture& texture, const char* factor_key = nullptr,
+                   double factor = 1.0) {
+    const int index = texture_of(texture);
+    if (index < 0) return;
+    Json info{{"index", index}};
+    if (texture.coordinates != 0) info["texCoord"] = texture.coordinates;
+    if (factor_key != nullptr && factor != 1.0) info[factor_key] = factor;
+    if (texture.transformed()) {
+      Json transform = Json::object();
+      if (texture.offset != Vec2(0.0)) transform["offset"] = {texture.offset.x, texture.offset.y};
+      if (texture.rotation != 0.0) transform["rotation"] = texture.rotation;
+      if (texture.scale != Vec2(1.0)) transform["scale"] = {texture.scale.x, texture.scale.y};
+      add_extension(info, "KHR_texture_transform", std::move(transform));
+    }
+    object[key] = std::move(info);
+  }
+
+  int texture_of(const Texture& texture) {
+    if (!texture.there()) return -1;
+    const int image = image_of(texture.image);
     if (image < 0) return -1;
-    const int sampler = sampler_of({material.wrap_u, material.wrap_v, material.nearest_filter});
+    const int sampler = sampler_of({texture.wrap_u, texture.wrap_v, texture.nearest_filter});
     const auto [known, is_new] = texture_index_.try_emplace({image, sampler}, static_cast<int>(textures_.size()));
     if (is_new) textures_.push_back({{"sampler", sampler}, {"source", image}});
     return known->second;
@@ -112,6 +162,7 @@ class MaterialWriter {
   std::map<std::pair<int, int>, int> texture_index_;
   std::map<Sampler, int> sampler_index_;
   std::map<int, int> image_index_;
+  std::set<std::string> extensions_;
 };
 
 }  // namespace

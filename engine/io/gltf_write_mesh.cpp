@@ -54,8 +54,31 @@ void add_influences(const std::string& place, const Primitive& primitive, int fo
   }
 }
 
-bool has_picture(const Model& model, int material) {
-  return material >= 0 && model.materials[material].base_colour_image >= 0;
+/// Whether a texture of the primitive's material is looked up with these coordinates.
+bool needs_coordinates(const Model& model, int material, int coordinates) {
+  if (material < 0) return false;
+  const Material& m = model.materials[material];
+  for (const Texture* texture : {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                                 &m.occlusion_texture, &m.emissive_texture})
+    if (texture->there() && texture->coordinates == coordinates) return true;
+  return false;
+}
+
+void add_coordinates(const std::string& place, const Model& model, const Primitive& primitive, Json& attributes,
+                     GlbBuilder& glb) {
+  std::vector<float> sets[] = {floats(primitive.texture_coordinates), floats(primitive.second_texture_coordinates)};
+  for (int set = 1; set >= 0; --set) {
+    // glTF refuses a picture on a primitive without coordinates, and a second set without a first; zeros draw what a
+    // missing attribute draws.
+    const bool needed = needs_coordinates(model, primitive.material, set) || (set == 0 && !sets[1].empty());
+    if (sets[set].empty() && needed) sets[set].resize(2 * primitive.positions.size());
+  }
+  for (int set = 0; set < 2; ++set) {
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    if (!sets[set].empty())
+      attributes[name] =
+          glb.add_floats(fmt::format("{}/{}", place, name), sets[set], AccessorShape::vec2, ViewTarget::vertices);
+  }
 }
 
 Json written_attributes(const std::string& place, const Model& model, const Primitive& primitive, const RigMesh& mesh,
@@ -65,12 +88,13 @@ Json written_attributes(const std::string& place, const Model& model, const Prim
                                           ViewTarget::vertices, AccessorBounds::written);
   attributes["NORMAL"] =
       glb.add_floats(place + "/NORMAL", floats(primitive.normals), AccessorShape::vec3, ViewTarget::vertices);
-  std::vector<float> coordinates = floats(primitive.texture_coordinates);
-  // glTF refuses a picture on a primitive without coordinates; zeros draw what a missing attribute draws.
-  if (coordinates.empty() && has_picture(model, primitive.material)) coordinates.resize(2 * primitive.positions.size());
-  if (!coordinates.empty())
-    attributes["TEXCOORD_0"] =
-        glb.add_floats(place + "/TEXCOORD_0", coordinates, AccessorShape::vec2, ViewTarget::vertices);
+  if (!primitive.tangents.empty())
+    attributes["TANGENT"] =
+        glb.add_floats(place + "/TANGENT", floats(primitive.tangents), AccessorShape::vec4, ViewTarget::vertices);
+  add_coordinates(place, model, primitive, attributes, glb);
+  if (!primitive.colours.empty())
+    attributes["COLOR_0"] =
+        glb.add_floats(place + "/COLOR_0", floats(primitive.colours), AccessorShape::vec4, ViewTarget::vertices);
   if (mesh.skinned) add_influences(place, primitive, mesh.follow_joint, attributes, glb);
   return attributes;
 }

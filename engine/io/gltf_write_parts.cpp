@@ -16,6 +16,7 @@ std::vector<float> flattened(std::span<const Vector> vectors) {
 
 std::vector<float> floats(std::span<const Vec2> vectors) { return flattened(vectors); }
 std::vector<float> floats(std::span<const Vec3> vectors) { return flattened(vectors); }
+std::vector<float> floats(std::span<const Vec4> vectors) { return flattened(vectors); }
 
 void set_unless_empty(Json& object, const char* key, Json array) {
   if (!array.empty()) object[key] = std::move(array);

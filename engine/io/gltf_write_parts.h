@@ -16,6 +16,7 @@ namespace sinew {
 /// The vectors' numbers as floats, one vector after another.
 std::vector<float> floats(std::span<const Vec2> vectors);
 std::vector<float> floats(std::span<const Vec3> vectors);
+std::vector<float> floats(std::span<const Vec4> vectors);
 
 /// Sets the key unless the array is empty, which glTF does not allow.
 void set_unless_empty(Json& object, const char* key, Json array);

@@ -115,6 +115,11 @@ int JsonValue::integer(int low, int high) const {
   return low;
 }
 
+bool JsonValue::flag() const {
+  if (!value_->is_boolean()) error_expected("true or false");
+  return value_->is_boolean() && value_->get<bool>();
+}
+
 std::string JsonValue::text(std::string_view expected) const {
   std::string value = is_text() ? value_->get<std::string>() : std::string();
   if (!value.empty() && value.find('\0') == std::string::npos) return value;

@@ -68,6 +68,7 @@ class JsonValue {
   // Each of these gives the value, or reports what it expected and gives one that is safe to go on with.
   double number(const NumberRange& range = {}) const;
   int integer(int low, int high) const;
+  bool flag() const;
   std::string text(std::string_view expected) const;           ///< never empty, no NUL
   std::size_t word(std::span<const std::string> words) const;  ///< index into `words`
   std::vector<double> numbers(std::size_t count, std::string_view expected, const NumberRange& range = {}) const;

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "engine/model/tangents.h"
+
 namespace sinew {
 namespace {
 
@@ -57,9 +59,31 @@ class Gatherer {
     append(result_.normals, primitive.normals);
     append(result_.texture_coordinates, primitive.texture_coordinates);
     result_.texture_coordinates.resize(result_.positions.size(), Vec2(0.0));
+    append_or_fill(result_.second_texture_coordinates, primitive.second_texture_coordinates, part, Vec2(0.0));
+    append_or_fill(result_.colours, primitive.colours, part, Vec4(1.0));
+    add_tangents(primitive, part);
     for (std::uint32_t index : primitive.indices) result_.triangles.push_back(part.first_vertex + index);
     add_influences(node, primitive);
     add_morphs(primitive, first_slot);
+  }
+
+  /// Attributes that most characters lack take no room until a primitive has them.
+  template <class T>
+  void append_or_fill(std::vector<T>& to, const std::vector<T>& from, const MeshPart& part, const T& filling) {
+    if (to.empty() && from.empty()) return;
+    to.resize(part.first_vertex, filling);
+    append(to, from);
+    to.resize(result_.positions.size(), filling);
+  }
+
+  void add_tangents(const Primitive& primitive, const MeshPart& part) {
+    const Material* material = primitive.material < 0 ? nullptr : &model_.materials[primitive.material];
+    const bool relief = material != nullptr && material->normal_texture.there();
+    append_or_fill(result_.tangents,
+                   !relief                      ? std::vector<Vec4>{}
+                   : primitive.tangents.empty() ? generate_tangents(primitive, material->normal_texture)
+                                                : primitive.tangents,
+                   part, Vec4(1.0, 0.0, 0.0, 1.0));
   }
 
   void add_influences(int node, const Primitive& primitive) {

@@ -44,11 +44,14 @@ struct MeshPart {
 /// children in order, primitives in order, a primitive's vertices as the file has them. A mesh that two nodes draw
 /// stands twice.
 struct CharacterMesh {
-  std::vector<Vec3> positions;            ///< [vertices] bind pose
-  std::vector<Vec3> normals;              ///< [vertices] bind pose, unit length
-  std::vector<Vec2> texture_coordinates;  ///< [vertices], zeros where a primitive has none
-  Influences influences;                  ///< [vertices] joints are palette indices; no run is empty
-  std::vector<std::uint32_t> triangles;   ///< three vertex indices a triangle
+  std::vector<Vec3> positions;  ///< [vertices] bind pose
+  std::vector<Vec3> normals;    ///< [vertices] bind pose, unit length
+  std::vector<Vec4> tangents;   ///< [vertices] bind pose, w: side of the bitangent; or empty: no normal texture
+  std::vector<Vec2> texture_coordinates;         ///< [vertices], zeros where a primitive has none
+  std::vector<Vec2> second_texture_coordinates;  ///< [vertices], or empty: no primitive has any
+  std::vector<Vec4> colours;             ///< [vertices] white where a primitive has none; or empty: none has any
+  Influences influences;                 ///< [vertices] joints are palette indices; no run is empty
+  std::vector<std::uint32_t> triangles;  ///< three vertex indices a triangle
   std::vector<MeshPart> parts;
   std::vector<PaletteSource> palette;
   std::vector<MorphSlot> morph_slots;

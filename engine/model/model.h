@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/math.h"
+#include "engine/model/material.h"
 
 namespace sinew {
 
@@ -45,9 +46,12 @@ struct MorphTarget {
 struct Primitive {
   std::vector<Vec3> positions;            ///< [vertices] bind pose, model units
   std::vector<Vec3> normals;              ///< [vertices] unit length, never empty
-  std::vector<Vec2> texture_coordinates;  ///< [vertices] of the base colour texture's set, or empty
-  Influences influences;                  ///< vertices() == vertices, joints of the skin; or vertices() == 0: unskinned
-  std::vector<std::uint32_t> indices;     ///< three a triangle
+  std::vector<Vec4> tangents;             ///< [vertices] unit length, w: side of the bitangent, 1 or -1; or empty
+  std::vector<Vec2> texture_coordinates;  ///< [vertices] Texture::coordinates 0, or empty
+  std::vector<Vec2> second_texture_coordinates;  ///< [vertices] Texture::coordinates 1, or empty
+  std::vector<Vec4> colours;                     ///< [vertices] linear RGBA, factors of the base colour, or empty
+  Influences influences;               ///< vertices() == vertices, joints of the skin; or vertices() == 0: unskinned
+  std::vector<std::uint32_t> indices;  ///< three a triangle
   std::vector<MorphTarget> morph_targets;
   int material = -1;  ///< index into Model::materials, -1: the default
 };
@@ -96,26 +100,6 @@ struct Clip {
   std::string name;
   std::vector<Channel> channels;
   double duration = 0.0;  ///< seconds: the last key of any channel
-};
-
-enum class AlphaMode { opaque, mask, blend };
-enum class Wrap { repeat, clamp, mirror };
-
-struct Material {
-  std::string name;
-  Vec4 base_colour{1.0};       ///< linear RGBA factor
-  int base_colour_image = -1;  ///< index into Model::images, -1: none
-  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  bool nearest_filter = false;
-  bool double_sided = false;
-  AlphaMode alpha_mode = AlphaMode::opaque;
-  double alpha_cutoff = 0.5;
-};
-
-/// A picture as the file stores it, not yet decoded.
-struct EncodedImage {
-  std::string name;
-  std::vector<unsigned char> bytes;  ///< PNG or JPEG; empty where it could not be found (Model::problems says so)
 };
 
 struct Model {

@@ -39,7 +39,8 @@ class Builder {
   }
 
   void copy(const CharacterMesh& from, std::uint32_t v) {
-    add(from.positions[v], from.normals[v], from.texture_coordinates[v], run_of(from, v));
+    add(from.positions[v], from.normals[v], run_of(from, v));
+    each_attribute(from, [&](const auto& values, auto& to) { to.push_back(values[v]); });
     const auto begin = from.morph_deltas.begin();
     mesh.morph_deltas.insert(mesh.morph_deltas.end(), begin + from.morph_first[v], begin + from.morph_first[v + 1]);
     mesh.morph_first.push_back(static_cast<std::uint32_t>(mesh.morph_deltas.size()));
@@ -47,7 +48,9 @@ class Builder {
 
   void add_midpoint(const CharacterMesh& from, std::uint32_t a, std::uint32_t b) {
     add(0.5 * (from.positions[a] + from.positions[b]), unit_or(from.normals[a] + from.normals[b], from.normals[a]),
-        0.5 * (from.texture_coordinates[a] + from.texture_coordinates[b]), mean_run(run_of(from, a), run_of(from, b)));
+        mean_run(run_of(from, a), run_of(from, b)));
+    each_attribute(from, [&](const auto& values, auto& to) { to.push_back(0.5 * (values[a] + values[b])); });
+    if (!from.tangents.empty()) mesh.tangents.back() = mean_tangent(from.tangents[a], from.tangents[b]);
     std::map<std::uint32_t, MorphDelta> sum;
     for (const std::uint32_t v : {a, b})
       for (std::uint32_t i = from.morph_first[v]; i < from.morph_first[v + 1]; ++i) {
@@ -64,12 +67,26 @@ class Builder {
   CharacterMesh mesh;
 
  private:
-  void add(const Vec3& position, const Vec3& normal, const Vec2& coordinate, const std::vector<Influence>& run) {
+  void add(const Vec3& position, const Vec3& normal, const std::vector<Influence>& run) {
     mesh.positions.push_back(position);
     mesh.normals.push_back(normal);
-    mesh.texture_coordinates.push_back(coordinate);
     mesh.influences.add_vertex(run);
   }
+
+  /// Calls what is given with each attribute that this character has, and the list that it goes to.
+  template <class Call>
+  void each_attribute(const CharacterMesh& from, Call call) {
+    const auto unless_empty = [&](const auto& values, auto& to) {
+      if (!values.empty()) call(values, to);
+    };
+    unless_empty(from.tangents, mesh.tangents);
+    unless_empty(from.texture_coordinates, mesh.texture_coordinates);
+    unless_empty(from.second_texture_coordinates, mesh.second_texture_coordinates);
+    unless_empty(from.colours, mesh.colours);
+  }
+
+  /// On the side of the first.
+  static Vec4 mean_tangent(const Vec4& a, const Vec4& b) { return Vec4(unit_or(Vec3(a) + Vec3(b), Vec3(a)), a.w); }
 };
 
 std::uint32_t size32(std::size_t n) { return static_cast<std::uint32_t>(n); }

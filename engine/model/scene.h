@@ -110,6 +110,9 @@ struct Camera {
 
 struct Look {
   Shading shading = Shading::lit;
+  std::string joint;                          ///< whose weights Shading::weights shows; empty elsewhere
+  bool shadows = true;                        ///< the key light throws shadows
+  bool floor = true;                          ///< shadows fall on a floor under the characters
   Colour background{0xd8, 0xd8, 0xd8, 0xff};  ///< alpha 0: transparent
 
   bool operator==(const Look&) const = default;

@@ -210,17 +210,20 @@ TEST(GltfRead, BaseColourTextureTransformAndTextureCoordinateSet) {
   ASSERT_TRUE(model) << model.error().message;
   const Material& material = model->materials[0];
   EXPECT_EQ(material.base_colour, Vec4(0.5, 0.25, 1, 0.75));
-  EXPECT_EQ(material.base_colour_image, 0);
-  EXPECT_EQ(material.wrap_u, Wrap::clamp);
-  EXPECT_EQ(material.wrap_v, Wrap::mirror);
-  EXPECT_TRUE(material.nearest_filter && material.double_sided);
+  const Texture& texture = material.base_colour_texture;
+  EXPECT_EQ(texture.image, 0);
+  EXPECT_EQ(texture.wrap_u, Wrap::clamp);
+  EXPECT_EQ(texture.wrap_v, Wrap::mirror);
+  EXPECT_TRUE(texture.nearest_filter && material.double_sided);
   EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
   EXPECT_EQ(material.alpha_cutoff, 0.25);
   EXPECT_EQ(model->images[0].bytes.size(), 8u);
   // A quarter turn counter-clockwise with v pointing down: u goes to -v, v to u.
   const auto& uv = model->meshes[0].primitives[0].texture_coordinates;
-  EXPECT_LT(glm::distance(uv[0], Vec2(0.5, -2.0)), 1e-12);
-  EXPECT_LT(glm::distance(uv[1], Vec2(1.5, 0.0)), 1e-12);
+  EXPECT_EQ(uv[0], Vec2(1, 0));
+  EXPECT_EQ(uv[1], Vec2(0, 1));
+  EXPECT_LT(glm::distance(texture.apply(uv[0]), Vec2(0.5, -2.0)), 1e-12);
+  EXPECT_LT(glm::distance(texture.apply(uv[1]), Vec2(1.5, 0.0)), 1e-12);
 }
 
 TEST(GltfRead, MissingImagesAreAProblemOnly) {

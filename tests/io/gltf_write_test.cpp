@@ -86,14 +86,12 @@ TEST(RigGlb, MaterialsAndPicturesComeBack) {
   const Material &a = model.materials[0], &b = back.materials[0];
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.base_colour, b.base_colour);
-  EXPECT_EQ(a.wrap_u, b.wrap_u);
-  EXPECT_EQ(a.wrap_v, b.wrap_v);
-  EXPECT_EQ(a.nearest_filter, b.nearest_filter);
+  EXPECT_EQ(a.base_colour_texture, b.base_colour_texture);
   EXPECT_EQ(a.double_sided, b.double_sided);
   EXPECT_EQ(a.alpha_mode, b.alpha_mode);
   EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
   ASSERT_EQ(back.images.size(), 1u);
-  EXPECT_EQ(back.images[b.base_colour_image].bytes, model.images[0].bytes);
+  EXPECT_EQ(back.images[b.base_colour_texture.image].bytes, model.images[0].bytes);
   EXPECT_EQ(back.images[0].name, "checks");
 }
 
@@ -126,7 +124,7 @@ TEST(RigGlb, PicturesThatGltfDoesNotKnowAreLeftOut) {
     model.images[0].bytes = bytes;
     const Model back = written_and_read(model);
     EXPECT_TRUE(back.images.empty());
-    EXPECT_EQ(back.materials.at(0).base_colour_image, -1);
+    EXPECT_EQ(back.materials.at(0).base_colour_texture.image, -1);
   }
 }
 

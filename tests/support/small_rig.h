@@ -121,10 +121,10 @@ inline Model two_meshes_on_one_skin() {
   Material material;
   material.name = "cloth";
   material.base_colour = {0.5, 0.25, 1.0, 0.75};
-  material.base_colour_image = 0;
-  material.wrap_u = Wrap::mirror;
-  material.wrap_v = Wrap::clamp;
-  material.nearest_filter = material.double_sided = true;
+  material.base_colour_texture.image = 0;
+  material.base_colour_texture.wrap_u = Wrap::mirror;
+  material.base_colour_texture.wrap_v = Wrap::clamp;
+  material.base_colour_texture.nearest_filter = material.double_sided = true;
   material.alpha_mode = AlphaMode::mask;
   material.alpha_cutoff = 0.25;
   model.materials = {material};
