@@ -19,8 +19,8 @@ struct Words {
   std::optional<int> joints, vertices;
 };
 
-Result<FigureOptions> figure_options(const Words& words) {
-  FigureOptions options;
+Result<BodyOptions> figure_options(const Words& words) {
+  BodyOptions options;
   if (words.like) {
     auto preset = figure_preset(*words.like);
     if (!preset) return preset;

@@ -60,7 +60,7 @@ class Counter {
 };
 
 /// The parts that come closest to the counts that are asked for.
-std::vector<int> chosen_parts(const FigureOptions& options, const HalfCage& cage, const Counter& counter,
+std::vector<int> chosen_parts(const BodyOptions& options, const HalfCage& cage, const Counter& counter,
                               const Strips& strips) {
   const std::vector<double> lengths = strips.weighted_lengths(cage);
   std::vector<int> best;
@@ -229,7 +229,7 @@ void add_skeleton(Model& model, const FigureSkeleton& skeleton, const ToMetres& 
 
 }  // namespace
 
-Result<void> check_figure_options(const FigureOptions& o) {
+Result<void> check_figure_options(const BodyOptions& o) {
   const auto wrong = [](const char* option, const auto& found, const char* expected) -> Result<void> {
     return failure(ErrorKind::usage, "{} {}: expected {}", option, found, expected);
   };
@@ -246,8 +246,8 @@ Result<void> check_figure_options(const FigureOptions& o) {
   return {};
 }
 
-Result<FigureOptions> figure_preset(std::string_view name) {
-  FigureOptions options;
+Result<BodyOptions> figure_preset(std::string_view name) {
+  BodyOptions options;
   if (name == "skeleton") {
     options.joints = 23, options.vertices = 1844, options.triangles = 3342;
   } else if (name == "woman") {
@@ -260,7 +260,7 @@ Result<FigureOptions> figure_preset(std::string_view name) {
   return options;
 }
 
-Result<Model> build_figure(const FigureOptions& options) {
+Result<Model> build_figure(const BodyOptions& options) {
   if (auto ok = check_figure_options(options); !ok) return pass_on(std::move(ok));
   const MeasuredBody body = measured_body(options.sex, options.build, options.muscle);
   const double height = options.height > 0.0 ? options.height : body.height;
@@ -291,7 +291,10 @@ Result<Model> build_figure(const FigureOptions& options) {
   mesh.primitives.push_back(
       whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, to_metres));
   model.meshes.push_back(std::move(mesh));
-  model.materials.push_back({.name = "skin", .base_colour = skin_colour});
+  Material& material = model.materials.emplace_back();
+  material.name = "skin";
+  material.base_colour = skin_colour;
+  material.roughness = 0.6;
   return model;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The coarse cage of quads that gives a figure its topology: loops round limbs, fingers and toes, on the left half of
-/// the body (engine/definitions.md 10). Lengths are fractions of body height.
+/// the body (engine/definitions.md 11). Lengths are fractions of body height.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a measured body as the zero set of a field: the smooth union of its parts (engine/definitions.md 10).
+/// The surface of a measured body as the zero set of a field: the smooth union of its parts (engine/definitions.md 11).
 
 #include "engine/body/figure_measures.h"
 #include "engine/core/math.h"

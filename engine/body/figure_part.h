@@ -1,5 +1,5 @@
 #pragma once
-/// The measured parts that a body is the union of, each a signed distance (engine/definitions.md 10). Lengths are
+/// The measured parts that a body is the union of, each a signed distance (engine/definitions.md 11). Lengths are
 /// fractions of body height.
 
 #include <string>

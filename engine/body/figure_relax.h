@@ -1,5 +1,5 @@
 #pragma once
-/// Laying a figure's mesh on the surface, its vertices evenly spread (engine/definitions.md 10).
+/// Laying a figure's mesh on the surface, its vertices evenly spread (engine/definitions.md 11).
 
 #include "engine/body/figure_field.h"
 #include "engine/body/figure_strips.h"

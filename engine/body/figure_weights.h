@@ -1,6 +1,6 @@
 #pragma once
 /// Skin weights of figures, by construction: every vertex knows what it was made as a part of, and follows the joints
-/// of that part alone (engine/definitions.md 10).
+/// of that part alone (engine/definitions.md 11).
 
 #include <array>
 #include <vector>

@@ -23,14 +23,14 @@ namespace {
 /// Figures of all kinds; poser is the largest that anybody asks for by name.
 struct Kind {
   std::string name;
-  FigureOptions options;
+  BodyOptions options;
 };
 
 std::vector<Kind> kinds() {
   std::vector<Kind> out;
   for (const char* preset : {"skeleton", "woman", "poser"}) out.push_back({preset, *figure_preset(preset)});
   out.push_back({"default", {}});
-  FigureOptions options;
+  BodyOptions options;
   options.sex = 0.5, options.vertices = 4000, options.joints = 37;
   out.push_back({"between", options});
   options = {};
@@ -42,7 +42,7 @@ std::vector<Kind> kinds() {
   return out;
 }
 
-Model built(const FigureOptions& options) {
+Model built(const BodyOptions& options) {
   auto model = build_figure(options);
   EXPECT_TRUE(model) << model.error().message;
   return model ? std::move(*model) : Model();
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Figure, testing::ValuesIn(kinds()),
                          [](const auto& param_info) { return param_info.param.name; });
 
 TEST_P(Figure, HasTheNumbersThatWereAskedFor) {
-  const FigureOptions& options = GetParam().options;
+  const BodyOptions& options = GetParam().options;
   EXPECT_NEAR(static_cast<double>(skin().positions.size()), options.vertices, 0.02 * options.vertices);
   if (options.triangles > 0) {
     EXPECT_NEAR(static_cast<double>(skin().indices.size()) / 3.0, options.triangles, 0.02 * options.triangles);
@@ -235,7 +235,7 @@ TEST_P(Figure, IsReadBackWithoutAProblem) {
 
 TEST(FigureBuild, WaistIsAsMeasured) {
   for (const double sex : {0.0, 0.5, 1.0}) {
-    FigureOptions options = *figure_preset("skeleton");
+    BodyOptions options = *figure_preset("skeleton");
     options.sex = sex;
     const Model model = built(options);
     const MeasuredBody body = measured_body(sex, 0.0, 0.5);
@@ -284,7 +284,7 @@ double least_kept(const Model& model, const std::vector<std::string>& joints) {
 }
 
 TEST(FigureBuild, ATurnedForearmStaysRound) {
-  FigureOptions options = *figure_preset("skeleton");
+  BodyOptions options = *figure_preset("skeleton");
   options.joints = 68;
   const Model model = built(options);
   // Between two joints that differ by 30 degrees linear blending keeps cos(15), 0.966; where three blend a little less.
@@ -313,12 +313,12 @@ TEST(FigureBuild, ABentElbowAndARaisedArmLoseNoFlesh) {
 }
 
 TEST(FigureBuild, SameOptionsGiveTheSameBytes) {
-  const FigureOptions options = *figure_preset("woman");
+  const BodyOptions options = *figure_preset("woman");
   EXPECT_EQ(*rig_glb(built(options)), *rig_glb(built(options)));
 }
 
 TEST(FigureBuild, HeightScalesAll) {
-  FigureOptions options = *figure_preset("skeleton");
+  BodyOptions options = *figure_preset("skeleton");
   const Model one = built(options);
   options.height = 2.0 * 1.75;
   EXPECT_FALSE(build_figure(options)) << "3.5 m is taller than anybody";
@@ -329,7 +329,7 @@ TEST(FigureBuild, HeightScalesAll) {
     ASSERT_LT(glm::distance(0.5 * skin_of(one).positions[v], skin_of(half).positions[v]), 1e-12);
 }
 
-double volume_of(const FigureOptions& options) {
+double volume_of(const BodyOptions& options) {
   const Model model = built(options);
   const Primitive& skin = skin_of(model);
   double volume = 0.0;
@@ -341,7 +341,7 @@ double volume_of(const FigureOptions& options) {
 }
 
 TEST(FigureBuild, BuildAddsFlesh) {
-  FigureOptions slim, measured, heavy;
+  BodyOptions slim, measured, heavy;
   slim.build = -1.0;
   heavy.build = 1.0;
   const double usual = volume_of(measured);
@@ -376,22 +376,22 @@ TEST(FigureBuild, WomenHaveNarrowerShouldersAndWaists) {
 
 TEST(FigureBuild, OptionsOutOfRangeAreNamed) {
   const auto refused = [](auto change, const char* named) {
-    FigureOptions options;
+    BodyOptions options;
     change(options);
     const auto result = build_figure(options);
     ASSERT_FALSE(result) << named;
     EXPECT_EQ(result.error().kind, ErrorKind::usage);
     EXPECT_NE(result.error().message.find(named), std::string::npos) << result.error().message;
   };
-  refused([](FigureOptions& o) { o.sex = 2.0; }, "--sex");
-  refused([](FigureOptions& o) { o.sex = std::nan(""); }, "--sex");
-  refused([](FigureOptions& o) { o.height = -1.0; }, "--height");
-  refused([](FigureOptions& o) { o.height = INFINITY; }, "--height");
-  refused([](FigureOptions& o) { o.build = std::nan(""); }, "--build");
-  refused([](FigureOptions& o) { o.muscle = 1.1; }, "--muscle");
-  refused([](FigureOptions& o) { o.joints = 24; }, "--joints");
-  refused([](FigureOptions& o) { o.vertices = 3; }, "--vertices");
-  refused([](FigureOptions& o) { o.vertices = 2'000'001; }, "--vertices");
+  refused([](BodyOptions& o) { o.sex = 2.0; }, "--sex");
+  refused([](BodyOptions& o) { o.sex = std::nan(""); }, "--sex");
+  refused([](BodyOptions& o) { o.height = -1.0; }, "--height");
+  refused([](BodyOptions& o) { o.height = INFINITY; }, "--height");
+  refused([](BodyOptions& o) { o.build = std::nan(""); }, "--build");
+  refused([](BodyOptions& o) { o.muscle = 1.1; }, "--muscle");
+  refused([](BodyOptions& o) { o.joints = 24; }, "--joints");
+  refused([](BodyOptions& o) { o.vertices = 3; }, "--vertices");
+  refused([](BodyOptions& o) { o.vertices = 2'000'001; }, "--vertices");
   EXPECT_FALSE(figure_preset("sceleton"));
 }
 
