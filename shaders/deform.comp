@@ -13,6 +13,7 @@ layout(constant_id = constant_deformer) const uint deformer = deformer_ssd;
 layout(constant_id = constant_bulge) const uint bulge = bulge_on;
 layout(constant_id = constant_has_morphs) const bool has_morphs = true;
 layout(constant_id = constant_has_extra_influences) const bool has_extra_influences = true;
+layout(constant_id = constant_has_tangents) const bool has_tangents = true;
 
 layout(push_constant) uniform Push { DeformPush push; };
 
@@ -22,24 +23,29 @@ layout(binding = binding_details) uniform utextureBuffer detail_words;
 layout(binding = binding_palette) uniform textureBuffer palette_words;
 layout(binding = binding_morph_weights) uniform textureBuffer morph_weights;
 layout(binding = binding_muscles) uniform textureBuffer muscle_words;
+layout(binding = binding_tangents) uniform textureBuffer tangent_words;
 uvec4 vertex_word(uint i) { return texelFetch(vertex_words, int(i)); }
 uvec4 detail_word(uint i) { return texelFetch(detail_words, int(i)); }
 vec4 palette_word(uint i) { return texelFetch(palette_words, int(i)); }
 float morph_weight(uint i) { return texelFetch(morph_weights, int(i)).x; }
 vec4 muscle_word(uint i) { return texelFetch(muscle_words, int(i)); }
+vec4 tangent_word(uint i) { return texelFetch(tangent_words, int(i)); }
 #else
 layout(binding = binding_vertices, std430) readonly buffer Vertices { uvec4 vertex_words[]; };
 layout(binding = binding_details, std430) readonly buffer Details { uvec4 detail_words[]; };
 layout(binding = binding_palette, std430) readonly buffer Palette { vec4 palette_words[]; };
 layout(binding = binding_morph_weights, std430) readonly buffer MorphWeights { float morph_weights[]; };
 layout(binding = binding_muscles, std430) readonly buffer Muscles { vec4 muscle_words[]; };
+layout(binding = binding_tangents, std430) readonly buffer Tangents { vec4 tangent_words[]; };
 uvec4 vertex_word(uint i) { return vertex_words[i]; }
 uvec4 detail_word(uint i) { return detail_words[i]; }
 vec4 palette_word(uint i) { return palette_words[i]; }
 float morph_weight(uint i) { return morph_weights[i]; }
 vec4 muscle_word(uint i) { return muscle_words[i]; }
+vec4 tangent_word(uint i) { return tangent_words[i]; }
 #endif
 layout(binding = binding_output, std430) writeonly buffer Output { vec4 output_words[]; };
+layout(binding = binding_output_tangents, std430) writeonly buffer OutputTangents { vec4 output_tangents[]; };
 
 // The rows of a 3x4 matrix.
 struct Rows {
@@ -128,6 +134,12 @@ void main() {
   vec3 outward = squared > 0.0 ? carried * inversesqrt(squared) : normal;
 
   float height = 0.0;
+  vec4 tangent = vec4(0);
+  vec3 carried_tangent = vec3(0);
+  if (has_tangents) {
+    tangent = tangent_word(vertex);
+    carried_tangent = vec3(dot(blend.x.xyz, tangent.xyz), dot(blend.y.xyz, tangent.xyz), dot(blend.z.xyz, tangent.xyz));
+  }
   if (bulge != bulge_off) {
     vec3 gradient = vec3(0);
     // llvmpipe runs a loop's body once before it looks whether any lane wants it: so the first region, real or the zero
@@ -140,6 +152,7 @@ void main() {
       detail += words_per_region;
     } while (++i < regions);
     posed += height * outward;
+    if (has_tangents) carried_tangent += dot(gradient, tangent.xyz) * outward;
     if (gradient != vec3(0) && determinant != 0.0) {
       // The swollen surface's normal is n' minus the tangential part of A^-T grad h: Sherman and Morrison's formula for
       // the cofactors of A + n' grad h^T.
@@ -153,4 +166,10 @@ void main() {
 
   output_words[vertex * words_per_output] = vec4(posed, height);
   output_words[vertex * words_per_output + 1] = vec4(outward, 0.0);
+  if (has_tangents) {
+    carried_tangent -= dot(carried_tangent, outward) * outward;
+    const float length_squared = dot(carried_tangent, carried_tangent);
+    output_tangents[vertex] = vec4(length_squared > 0.0 ? carried_tangent * inversesqrt(length_squared) : vec3(0),
+                                   determinant < 0.0 ? -tangent.w : tangent.w);
+  }
 }

@@ -17,6 +17,7 @@
 //
 // Palette: 3 words a joint, the rows of its 3x4 matrix. Muscles: 1 word each (MuscleWord). Output: 2 words a vertex,
 // {position, bulge height} {normal, 0}.
+// Tangents, in a character with a normal texture: 1 word a vertex, in and out {tangent, side of the bitangent}.
 #ifndef SINEW_SHADERS_LAYOUT_H
 #define SINEW_SHADERS_LAYOUT_H
 
@@ -50,12 +51,15 @@ SINEW_CONSTANT binding_palette = 2;
 SINEW_CONSTANT binding_morph_weights = 3;
 SINEW_CONSTANT binding_muscles = 4;
 SINEW_CONSTANT binding_output = 5;
+SINEW_CONSTANT binding_tangents = 6;
+SINEW_CONSTANT binding_output_tangents = 7;
 
 // Specialisation constants of the deform pass.
 SINEW_CONSTANT constant_deformer = 0;
 SINEW_CONSTANT constant_bulge = 1;
 SINEW_CONSTANT constant_has_morphs = 2;
 SINEW_CONSTANT constant_has_extra_influences = 3;
+SINEW_CONSTANT constant_has_tangents = 4;
 
 SINEW_CONSTANT deformer_rigid = 0;
 SINEW_CONSTANT deformer_ssd = 1;
@@ -63,10 +67,31 @@ SINEW_CONSTANT bulge_off = 0;
 SINEW_CONSTANT bulge_on = 1;
 SINEW_CONSTANT bulge_paper = 2;
 
-// Bindings of the draw pass: set 0 a frame, set 1 a material.
+// Bindings of the draw passes: set 0 a frame, set 1 a material, set 2 the depths that transparent layers are peeled from.
 SINEW_CONSTANT binding_frame = 0;
+SINEW_CONSTANT binding_shadow_map = 1;   // depth from the key light
+SINEW_CONSTANT binding_contact_map = 2;  // depth from below the floor; to the floor's shader the shade made of it
 SINEW_CONSTANT binding_material = 0;
 SINEW_CONSTANT binding_base_colour = 1;
+SINEW_CONSTANT binding_metallic_roughness = 2;
+SINEW_CONSTANT binding_normal = 3;
+SINEW_CONSTANT binding_occlusion = 4;
+SINEW_CONSTANT binding_emissive = 5;
+SINEW_CONSTANT texture_count = 5;
+SINEW_CONSTANT binding_opaque_depth = 0;
+SINEW_CONSTANT binding_layer_depth = 1;
+
+// Bindings of the wire pass, set 1.
+SINEW_CONSTANT binding_wire_vertices = 0;
+SINEW_CONSTANT binding_wire_edges = 1;
+
+// Specialisation constants of the surface shaders: what a material lacks is compiled out.
+SINEW_CONSTANT constant_shading = 0;
+SINEW_CONSTANT constant_maps = 1;
+SINEW_CONSTANT constant_alpha = 2;
+SINEW_CONSTANT constant_unlit = 3;
+SINEW_CONSTANT constant_shadows = 4;
+SINEW_CONSTANT constant_from_light = 5;
 
 // How a surface is shown.
 SINEW_CONSTANT shading_lit = 0;
@@ -76,6 +101,19 @@ SINEW_CONSTANT shading_normals = 3;
 SINEW_CONSTANT shading_weights = 4;
 SINEW_CONSTANT shading_bulge = 5;
 SINEW_CONSTANT shading_depth = 6;
+
+// Bits of constant_maps: the textures that are there, and whether any is turned or scaled; then vertex colours.
+SINEW_CONSTANT map_base_colour = 1;
+SINEW_CONSTANT map_metallic_roughness = 2;
+SINEW_CONSTANT map_normal = 4;
+SINEW_CONSTANT map_occlusion = 8;
+SINEW_CONSTANT map_emissive = 16;
+SINEW_CONSTANT map_transform = 32;
+SINEW_CONSTANT map_colours = 64;
+
+SINEW_CONSTANT alpha_opaque = 0;
+SINEW_CONSTANT alpha_mask = 1;
+SINEW_CONSTANT alpha_blend = 2;
 
 struct DeformPush {
   uint vertex_count;  // of this dispatch; its vertices and its output start at the bound ranges' beginning
@@ -88,28 +126,42 @@ struct MuscleWord {
 
 struct FrameUniforms {
   mat4 view_projection;
-  vec4 eye;    // world position of the camera, unused
-  vec4 right;  // the camera's axes in the world: lights stand relative to the camera
+  mat4 light_projection;    // world to the shadow map's clip space
+  mat4 contact_projection;  // world to the contact map's clip space
+  vec4 eye;                 // world position of the camera, unused
+  vec4 right;               // the camera's axes in the world
   vec4 up;
   vec4 back;
+  vec4 key;          // directions towards the lights in the world, unit length; unused
+  vec4 fill;
+  vec4 rim;
   vec4 depth_range;  // nearest, farthest distance that the depth shading spreads over; largest bulge height; unused
-  uint shading;
-  uint padding0, padding1, padding2;
+  vec4 floor_centre;  // x, y, z; distance at which shadows have faded
+  vec4 floor_size;    // half its length along x, along z; unused
+  vec4 shadow;       // world length of a texel of the shadow map; reach of the contact shadow as a share of its map; unused
+  vec4 picture;      // width and height, pixels; width of a wire, pixels; unused
+};
+
+// A texture's place: uv' = (dot(u.xy, uv) + u.z, dot(v.xy, uv) + v.z); u.w: 1 where it takes the second coordinates.
+struct TexturePlace {
+  vec4 u;
+  vec4 v;
 };
 
 struct MaterialUniforms {
-  vec4 base_colour;    // linear RGBA
-  float alpha_cutoff;  // below it a fragment is dropped; negative: never
-  float opaque;        // 1: alpha is ignored
-  float padding0, padding1;
+  vec4 base_colour;  // linear RGBA
+  vec4 surface;      // metallic, roughness, normal scale, occlusion strength
+  vec4 emissive;     // linear RGB, alpha cutoff
+  vec4 specular;     // RGB reflectance at normal incidence of what is not metal, unused
+  TexturePlace places[texture_count];
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(DeformPush) == 4);
 static_assert(sizeof(MuscleWord) == 16);
-static_assert(sizeof(FrameUniforms) == 160 && offsetof(FrameUniforms, eye) == 64 &&
-              offsetof(FrameUniforms, shading) == 144);
-static_assert(sizeof(MaterialUniforms) == 32 && offsetof(MaterialUniforms, alpha_cutoff) == 16);
+static_assert(sizeof(FrameUniforms) == 384 && offsetof(FrameUniforms, eye) == 192 &&
+              offsetof(FrameUniforms, picture) == 368);
+static_assert(sizeof(MaterialUniforms) == 224 && offsetof(MaterialUniforms, places) == 64);
 }  // namespace sinew::layout
 #endif
 

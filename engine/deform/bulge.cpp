@@ -24,7 +24,7 @@ Swelling swelling(const ActiveMuscle& active, const RegionVertex& v, BulgeMode m
 }
 
 /// Two directions with t1 x t2 = n.
-std::pair<Vec3, Vec3> tangents(const Vec3& n) {
+std::pair<Vec3, Vec3> spanning_tangents(const Vec3& n) {
   const Vec3 helper = std::abs(n.x) < 0.5 * glm::length(n) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 t1 = glm::normalize(glm::cross(helper, n));
   return {t1, glm::cross(n, t1)};
@@ -42,6 +42,9 @@ Result<void> BulgeJob::validate() const {
   for (const auto& [what, size] : spans)
     if (size != vertices)
       return bad_input("bulge: {} has {} entries, expected {} (one a vertex)", what, size, vertices);
+  if (!bind_tangents.empty() && (bind_tangents.size() != vertices || tangents.size() != vertices))
+    return bad_input("bulge: tangents have {} and {} entries, expected {} (one a vertex) or none", bind_tangents.size(),
+                     tangents.size(), vertices);
   for (const ActiveMuscle& active : muscles)
     for (const RegionVertex& v : active.region.vertices)
       if (v.vertex >= vertices)
@@ -64,12 +67,16 @@ void BulgeJob::run() const {
   }
   for (const auto& [v, s] : swollen) {
     const Vec3 outward = normals[v];
-    const auto [t1, t2] = tangents(bind_normals[v]);
+    const auto [t1, t2] = spanning_tangents(bind_normals[v]);
     const Vec3 swollen_t1 = blend[v] * t1 + glm::dot(s.gradient, rest_blend[v] * t1) * outward;
     const Vec3 swollen_t2 = blend[v] * t2 + glm::dot(s.gradient, rest_blend[v] * t2) * outward;
     const Vec3 normal = unit_or(glm::cross(swollen_t1, swollen_t2), outward);
     normals[v] = glm::dot(normal, outward) < 0.0 ? -normal : normal;
     positions[v] += s.height * outward;
+    if (!tangents.empty()) {
+      const Vec3 raised = glm::dot(s.gradient, rest_blend[v] * Vec3(bind_tangents[v])) * outward;
+      tangents[v] += Vec4(raised, 0.0);
+    }
     heights[v] = s.height;
   }
 }

@@ -26,8 +26,13 @@ DeformedVertices deform_reference(const CharacterMesh& mesh, const RestShape& re
       SsdJob{input, output}.run();
       break;
   }
-  BulgeJob{state.muscles, state.bulge, bind.normals, rest.blend, out.blend, out.positions, out.normals, out.heights}
+  for (std::size_t v = 0; v < mesh.tangents.size(); ++v)
+    out.tangents.push_back(carry_tangent(out.blend[v], mesh.tangents[v]));
+  BulgeJob{state.muscles, state.bulge, bind.normals, rest.blend,    out.blend,
+           out.positions, out.normals, out.heights,  mesh.tangents, out.tangents}
       .run();
+  for (std::size_t v = 0; v < out.tangents.size(); ++v)
+    out.tangents[v] = tangent_in_plane(out.tangents[v], out.normals[v]);
   return out;
 }
 

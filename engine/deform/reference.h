@@ -23,6 +23,7 @@ struct DeformedVertices {
   std::vector<Vec3> normals;    ///< [vertices] unit length
   std::vector<double> heights;  ///< [vertices] how far a muscle lifted each one
   std::vector<Mat3> blend;      ///< [vertices] the 3x3 that carried each one
+  std::vector<Vec4> tangents;   ///< [vertices] unit length, w: side of the bitangent; or empty: the mesh has none
 };
 
 /// Morph targets, then skin, then bulge.

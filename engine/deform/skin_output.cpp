@@ -34,4 +34,13 @@ Vec3 carry_normal(const Mat3& blend, const Vec3& normal) {
   return unit_or(side * (cofactors * normal), unit_or(normal, Vec3(0, 0, 1)));
 }
 
+Vec4 carry_tangent(const Mat3& blend, const Vec4& tangent) {
+  return Vec4(blend * Vec3(tangent), glm::determinant(blend) < 0.0 ? -tangent.w : tangent.w);
+}
+
+Vec4 tangent_in_plane(const Vec4& tangent, const Vec3& normal) {
+  const Vec3 t(tangent);
+  return Vec4(unit_or(t - glm::dot(t, normal) * normal, Vec3(0.0)), tangent.w);
+}
+
 }  // namespace sinew

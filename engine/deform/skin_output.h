@@ -31,4 +31,11 @@ Result<void> validate_skinning(const SkinInput& input, const SkinOutput& output)
 /// Where `blend` is singular the direction that its cofactors give is kept.
 Vec3 carry_normal(const Mat3& blend, const Vec3& normal);
 
+/// Carries a tangent, w the side of its bitangent, by `blend` itself, as whatever lies in the surface: t' = A t. The
+/// length is kept; a mirroring `blend` changes the side.
+Vec4 carry_tangent(const Mat3& blend, const Vec4& tangent);
+
+/// The part of a tangent in the plane of the unit vector `normal`, unit length; zero where there is none.
+Vec4 tangent_in_plane(const Vec4& tangent, const Vec3& normal);
+
 }  // namespace sinew

@@ -14,7 +14,7 @@ constexpr vk::DeviceSize vertex_bytes = layout::words_per_vertex * sizeof(Word);
 constexpr vk::DeviceSize output_bytes = layout::words_per_output * sizeof(Word);
 /// A whole number of these vertices keeps every offset aligned to what any device may ask of a buffer offset.
 constexpr std::size_t chunk_granularity = 256;
-constexpr std::size_t texel_bytes = sizeof(Word);
+constexpr vk::DeviceSize tangent_bytes = sizeof(Word);
 
 struct Binding {
   uint32_t number;
@@ -60,6 +60,11 @@ void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const C
   d.muscle_words = vulkan.create_buffer(d.muscles.size() * sizeof(layout::MuscleWord), usage, MemoryUse::upload);
   const auto output_usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eTransferSrc;
   d.output = vulkan.create_buffer(d.vertices * output_bytes, output_usage, MemoryUse::device);
+  d.has_tangents = !packed.tangents.empty();
+  const std::size_t tangents = std::max<std::size_t>(packed.tangents.size(), 1) * tangent_bytes;
+  d.tangent_words = vulkan.create_buffer(tangents, usage, MemoryUse::device);
+  vulkan.upload(d.tangent_words, std::as_bytes(std::span(packed.tangents)));
+  d.output_tangents = vulkan.create_buffer(tangents, output_usage, MemoryUse::device);
 }
 
 void create_views(GpuDeformer::Impl& d) {
@@ -76,27 +81,30 @@ void create_views(GpuDeformer::Impl& d) {
 void create_layouts(GpuDeformer::Impl& d, std::size_t chunks) {
   const auto input = d.texel ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eStorageBuffer;
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
-  for (uint32_t number = 0; number <= layout::binding_output; ++number)
-    bindings.emplace_back(number, number == layout::binding_output ? vk::DescriptorType::eStorageBuffer : input, 1,
+  for (uint32_t number = 0; number <= layout::binding_output_tangents; ++number) {
+    const bool output = number == layout::binding_output || number == layout::binding_output_tangents;
+    bindings.emplace_back(number, output ? vk::DescriptorType::eStorageBuffer : input, 1,
                           vk::ShaderStageFlagBits::eCompute);
+  }
   const vk::raii::Device& device = d.vulkan->device;
   d.set_layout = vk::raii::DescriptorSetLayout(device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::DeformPush));
   d.pipeline_layout = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *d.set_layout, push));
   const auto sets = static_cast<uint32_t>(chunks);
-  const std::array sizes{vk::DescriptorPoolSize(input, sets * layout::binding_output),
-                         vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, sets)};
+  const std::array sizes{vk::DescriptorPoolSize(input, sets * (layout::binding_output_tangents - 1)),
+                         vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, sets * 2)};
   d.descriptor_pool = vk::raii::DescriptorPool(device, vk::DescriptorPoolCreateInfo({}, sets, sizes));
 }
 
 void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const GpuDeformerOptions& options) {
   const BulgeMode bulge = d.muscles.empty() ? BulgeMode::off : options.bulge;
-  const std::array<uint32_t, 4> values{static_cast<uint32_t>(options.deformer), static_cast<uint32_t>(bulge),
-                                       packed.has_morphs, packed.has_extra_influences};
+  const std::array<uint32_t, 5> values{static_cast<uint32_t>(options.deformer), static_cast<uint32_t>(bulge),
+                                       packed.has_morphs, packed.has_extra_influences, d.has_tangents};
   const std::array entries{vk::SpecializationMapEntry(layout::constant_deformer, 0, 4),
                            vk::SpecializationMapEntry(layout::constant_bulge, 4, 4),
                            vk::SpecializationMapEntry(layout::constant_has_morphs, 8, 4),
-                           vk::SpecializationMapEntry(layout::constant_has_extra_influences, 12, 4)};
+                           vk::SpecializationMapEntry(layout::constant_has_extra_influences, 12, 4),
+                           vk::SpecializationMapEntry(layout::constant_has_tangents, 16, 4)};
   const vk::SpecializationInfo special(entries.size(), entries.data(), sizeof(values), values.data());
   const Shader full = d.texel ? Shader::deform_texel : Shader::deform_storage;
   const Shader bare = d.texel ? Shader::deform_bare_texel : Shader::deform_bare_storage;
@@ -110,7 +118,7 @@ void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const 
 /// Binds one chunk's part of the vertices and of the output, and all of the rest.
 void write_set(const GpuDeformer::Impl& d, const GpuDeformer::Impl::Chunk& chunk, std::size_t first) {
   std::vector<vk::DescriptorBufferInfo> buffers;
-  buffers.reserve(layout::binding_output + 1);
+  buffers.reserve(layout::binding_output_tangents + 1);
   std::vector<vk::WriteDescriptorSet> writes;
   const auto bind_buffer = [&](uint32_t number, const Buffer& buffer, vk::DeviceSize offset, vk::DeviceSize size) {
     buffers.emplace_back(*buffer.buffer, offset, size);
@@ -121,10 +129,14 @@ void write_set(const GpuDeformer::Impl& d, const GpuDeformer::Impl::Chunk& chunk
         writes.emplace_back(chunk.set, number, 0, 1, vk::DescriptorType::eUniformTexelBuffer, nullptr, nullptr);
     write.pTexelBufferView = &*view;
   };
+  const std::size_t first_tangent = d.has_tangents ? first * tangent_bytes : 0;
+  const std::size_t tangents = d.has_tangents ? chunk.vertices * tangent_bytes : VK_WHOLE_SIZE;
   if (d.texel) {
     bind_view(layout::binding_vertices, chunk.vertex_view);
+    bind_view(layout::binding_tangents, chunk.tangent_view);
   } else {
     bind_buffer(layout::binding_vertices, d.vertex_words, first * vertex_bytes, chunk.vertices * vertex_bytes);
+    bind_buffer(layout::binding_tangents, d.tangent_words, first_tangent, tangents);
   }
   for (const Binding& binding : shared_bindings(d)) {
     if (d.texel) {
@@ -134,6 +146,7 @@ void write_set(const GpuDeformer::Impl& d, const GpuDeformer::Impl::Chunk& chunk
     }
   }
   bind_buffer(layout::binding_output, d.output, first * output_bytes, chunk.vertices * output_bytes);
+  bind_buffer(layout::binding_output_tangents, d.output_tangents, first_tangent, tangents);
   d.vulkan->device.updateDescriptorSets(writes, {});
 }
 
@@ -141,10 +154,16 @@ void create_chunks(GpuDeformer::Impl& d, std::size_t size) {
   for (std::size_t first = 0; first < d.vertices; first += size) {
     GpuDeformer::Impl::Chunk& chunk = d.chunks.emplace_back();
     chunk.vertices = static_cast<uint32_t>(std::min(size, d.vertices - first));
-    if (d.texel)
+    if (d.texel) {
       chunk.vertex_view = vk::raii::BufferView(
           d.vulkan->device, vk::BufferViewCreateInfo({}, *d.vertex_words.buffer, vk::Format::eR32G32B32A32Uint,
                                                      first * vertex_bytes, chunk.vertices * vertex_bytes));
+      const std::size_t first_tangent = d.has_tangents ? first * tangent_bytes : 0;
+      chunk.tangent_view = vk::raii::BufferView(
+          d.vulkan->device,
+          vk::BufferViewCreateInfo({}, *d.tangent_words.buffer, vk::Format::eR32G32B32A32Sfloat, first_tangent,
+                                   d.has_tangents ? chunk.vertices * tangent_bytes : VK_WHOLE_SIZE));
+    }
     const vk::DescriptorSetAllocateInfo allocate(*d.descriptor_pool, *d.set_layout);
     // The pool owns the sets and frees them with itself.
     chunk.set = (*d.vulkan->device).allocateDescriptorSets(allocate, *d.vulkan->device.getDispatcher()).front();
@@ -179,8 +198,8 @@ void deform_barrier(const vk::raii::CommandBuffer& commands) {
   using Stage = vk::PipelineStageFlagBits2;
   using Access = vk::AccessFlagBits2;
   const vk::MemoryBarrier2 barrier(Stage::eComputeShader, Access::eShaderStorageWrite,
-                                   Stage::eVertexAttributeInput | Stage::eCopy,
-                                   Access::eVertexAttributeRead | Access::eTransferRead);
+                                   Stage::eVertexAttributeInput | Stage::eVertexShader | Stage::eCopy,
+                                   Access::eVertexAttributeRead | Access::eShaderStorageRead | Access::eTransferRead);
   commands.pipelineBarrier2(vk::DependencyInfo({}, barrier));
 }
 
@@ -234,23 +253,36 @@ Result<void> GpuDeformer::run() {
                      [&] { impl_->vulkan->run([&](vk::raii::CommandBuffer& commands) { impl_->record(commands); }); });
 }
 
+namespace {
+
+/// Copies words of a buffer that the pass has written to the host.
+std::vector<Vec4f> read_words(GpuDeformer::Impl& d, const Buffer& from, std::size_t count) {
+  std::vector<Vec4f> words(count);
+  if (words.empty()) return words;
+  const vk::DeviceSize size = count * sizeof(Word);
+  if (d.readback.size < size)
+    d.readback = d.vulkan->create_buffer(size, vk::BufferUsageFlagBits::eTransferDst, MemoryUse::readback);
+  d.vulkan->run([&](vk::raii::CommandBuffer& commands) {
+    deform_barrier(commands);
+    commands.copyBuffer(*from.buffer, *d.readback.buffer, vk::BufferCopy(0, 0, size));
+    const vk::MemoryBarrier2 to_host(vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferWrite,
+                                     vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, to_host));
+  });
+  std::memcpy(words.data(), d.readback.mapped, size);
+  return words;
+}
+
+}  // namespace
+
 Result<std::vector<Vec4f>> GpuDeformer::read_back() {
-  return vulkan_call("reading vertices back", [&] {
-    Impl& d = *impl_;
-    const vk::DeviceSize size = d.vertices * output_bytes;
-    if (!*d.readback.buffer)
-      d.readback = d.vulkan->create_buffer(size, vk::BufferUsageFlagBits::eTransferDst, MemoryUse::readback);
-    std::vector<Vec4f> words(d.vertices * layout::words_per_output);
-    if (words.empty()) return words;
-    d.vulkan->run([&](vk::raii::CommandBuffer& commands) {
-      deform_barrier(commands);
-      commands.copyBuffer(*d.output.buffer, *d.readback.buffer, vk::BufferCopy(0, 0, size));
-      const vk::MemoryBarrier2 to_host(vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferWrite,
-                                       vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
-      commands.pipelineBarrier2(vk::DependencyInfo({}, to_host));
-    });
-    std::memcpy(words.data(), d.readback.mapped, size);
-    return words;
+  return vulkan_call("reading vertices back",
+                     [&] { return read_words(*impl_, impl_->output, impl_->vertices * layout::words_per_output); });
+}
+
+Result<std::vector<Vec4f>> GpuDeformer::read_back_tangents() {
+  return vulkan_call("reading tangents back", [&] {
+    return read_words(*impl_, impl_->output_tangents, impl_->has_tangents ? impl_->vertices : 0);
   });
 }
 

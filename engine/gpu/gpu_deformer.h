@@ -60,6 +60,9 @@ class GpuDeformer {
   /// Copies the deformed vertices to the host. [vertices * layout::words_per_output]
   Result<std::vector<Vec4f>> read_back();
 
+  /// Copies the deformed tangents to the host. [vertices], or empty: the mesh has none.
+  Result<std::vector<Vec4f>> read_back_tangents();
+
   struct Impl;
   Impl& impl() { return *impl_; }
   const Impl& impl() const { return *impl_; }

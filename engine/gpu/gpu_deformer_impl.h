@@ -10,7 +10,7 @@ struct GpuDeformer::Impl {
   /// Vertices that one dispatch deforms, and the views of the buffers that it sees.
   struct Chunk {
     uint32_t vertices = 0;
-    vk::raii::BufferView vertex_view = nullptr;
+    vk::raii::BufferView vertex_view = nullptr, tangent_view = nullptr;
     vk::DescriptorSet set;
   };
 
@@ -20,6 +20,8 @@ struct GpuDeformer::Impl {
   bool texel = false;
   std::vector<PlacedMuscle> muscles;
   Buffer vertex_words, detail_words, palette, morph_weights, muscle_words, output, readback;
+  Buffer tangent_words, output_tangents;  ///< a word a vertex where there are tangents, else of one word
+  bool has_tangents = false;
   vk::raii::BufferView detail_view = nullptr, palette_view = nullptr, morph_view = nullptr, muscle_view = nullptr;
   vk::raii::DescriptorSetLayout set_layout = nullptr;
   vk::raii::PipelineLayout pipeline_layout = nullptr;

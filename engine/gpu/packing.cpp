@@ -57,6 +57,7 @@ class Packer {
     packed_.vertices.push_back(word(mesh_.normals[v], bits(run.weight[1])));
     packed_.vertices.push_back({joint_pair(run.joint[0], run.joint[1]), joint_pair(run.joint[2], run.joint[3]),
                                 bits(run.weight[2]), bits(run.weight[3])});
+    if (!mesh_.tangents.empty()) packed_.tangents.emplace_back(mesh_.tangents[v]);
   }
 
   PackedCharacter finish() { return std::move(packed_); }

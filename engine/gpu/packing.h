@@ -22,6 +22,7 @@ struct Word {
 struct PackedCharacter {
   std::vector<Word> vertices;  ///< [vertices * layout::words_per_vertex]
   std::vector<Word> details;   ///< of the vertices that have any; the first few words are zero
+  std::vector<Vec4f> tangents;  ///< [vertices], or empty
   bool has_morphs = false;
   bool has_extra_influences = false;
 

@@ -13,6 +13,21 @@ enum class Shader {
   deform_bare_storage,
   surface_vertex,
   surface_fragment,
+  surface_rich_vertex,
+  surface_rich_fragment,
+  surface_behind_fragment,
+  surface_behind_fragment_multisampled,
+  peel_fragment,
+  peel_fragment_multisampled,
+  depth_vertex,
+  masked_depth_vertex,
+  masked_depth_fragment,
+  contact_vertex,
+  contact_fragment,
+  floor_vertex,
+  floor_fragment,
+  wire_vertex,
+  wire_fragment,
 };
 
 /// SPIR-V words.
