@@ -159,6 +159,7 @@ void create_logical_device(VulkanDevice& vulkan) {
   vulkan.queue_family = *find_queue_family(vulkan.physical);
   vulkan.limits = vulkan.physical.getProperties().limits;
   vulkan.anisotropy = vulkan.physical.getFeatures().samplerAnisotropy;
+  vulkan.sample_shading = vulkan.physical.getFeatures().sampleRateShading;
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue({}, vulkan.queue_family, 1, &priority);
   vk::PhysicalDeviceVulkan13Features core13;
@@ -167,6 +168,7 @@ void create_logical_device(VulkanDevice& vulkan) {
   core13.maintenance4 = true;
   vk::PhysicalDeviceFeatures2 features;
   features.features.samplerAnisotropy = vulkan.anisotropy;
+  features.features.sampleRateShading = vulkan.sample_shading;
   features.pNext = &core13;
   vk::DeviceCreateInfo info({}, queue);
   info.pNext = &features;

@@ -7,9 +7,13 @@ using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
-vk::ImageMemoryBarrier2 transition(const DeviceImage& image, vk::ImageAspectFlags aspect, Stage from_stage,
-                                   vk::AccessFlags2 from_access, Stage to_stage, vk::AccessFlags2 to_access,
-                                   Layout from, Layout to) {
+constexpr auto depth_tests = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto depth_access = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
+
+vk::ImageMemoryBarrier2 transition(const DeviceImage& image, vk::ImageAspectFlags aspect,
+                                   vk::PipelineStageFlags2 from_stage, vk::AccessFlags2 from_access,
+                                   vk::PipelineStageFlags2 to_stage, vk::AccessFlags2 to_access, Layout from,
+                                   Layout to) {
   return {from_stage,
           from_access,
           to_stage,
@@ -22,7 +26,79 @@ vk::ImageMemoryBarrier2 transition(const DeviceImage& image, vk::ImageAspectFlag
           vk::ImageSubresourceRange(aspect, 0, 1, 0, 1)};
 }
 
+vk::ImageMemoryBarrier2 colour_to_attachment(const DeviceImage& image, Stage after) {
+  return transition(image, vk::ImageAspectFlagBits::eColor, after, Access::eNone, Stage::eColorAttachmentOutput,
+                    Access::eColorAttachmentRead | Access::eColorAttachmentWrite, Layout::eUndefined,
+                    Layout::eColorAttachmentOptimal);
+}
+
+/// Before it is drawn to; its content is dropped.
+vk::ImageMemoryBarrier2 depth_to_attachment(const DeviceImage& image) {
+  return transition(image, vk::ImageAspectFlagBits::eDepth, depth_tests | Stage::eFragmentShader,
+                    Access::eDepthStencilAttachmentWrite, depth_tests, depth_access, Layout::eUndefined,
+                    Layout::eDepthAttachmentOptimal);
+}
+
+vk::ImageCreateInfo image_info(const Target& target, vk::Format format, vk::SampleCountFlagBits samples,
+                               vk::ImageUsageFlags usage) {
+  return {{},      vk::ImageType::e2D,        format, vk::Extent3D(target.width, target.height, 1), 1, 1,
+          samples, vk::ImageTiling::eOptimal, usage};
+}
+
+void begin_rendering(const Target& target, const vk::raii::CommandBuffer& commands,
+                     const vk::RenderingAttachmentInfo& colour, const vk::RenderingAttachmentInfo& depth) {
+  const vk::Rect2D area({0, 0}, {target.width, target.height});
+  commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour, &depth));
+  cover(commands, target.width, target.height);
+}
+
 }  // namespace
+
+void cover(const vk::raii::CommandBuffer& commands, uint32_t width, uint32_t height) {
+  commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1));
+  commands.setScissor(0, vk::Rect2D({0, 0}, {width, height}));
+}
+
+void begin_depth_rendering(const vk::raii::CommandBuffer& commands, const DeviceImage& image, uint32_t width,
+                           uint32_t height, float cleared) {
+  const vk::ImageMemoryBarrier2 barrier = depth_to_attachment(image);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+  vk::RenderingAttachmentInfo depth(*image.view, Layout::eDepthAttachmentOptimal);
+  depth.loadOp = vk::AttachmentLoadOp::eClear;
+  depth.storeOp = vk::AttachmentStoreOp::eStore;
+  depth.clearValue = vk::ClearDepthStencilValue(cleared, 0);
+  vk::RenderingInfo info;
+  info.renderArea = vk::Rect2D({0, 0}, {width, height});
+  info.layerCount = 1;
+  info.pDepthAttachment = &depth;
+  commands.beginRendering(info);
+  cover(commands, width, height);
+}
+
+void end_depth_rendering(const vk::raii::CommandBuffer& commands, const DeviceImage& image) {
+  commands.endRendering();
+  make_depth_readable(commands, image);
+}
+
+void make_depth_readable(const vk::raii::CommandBuffer& commands, const DeviceImage& image) {
+  const auto barrier =
+      transition(image, vk::ImageAspectFlagBits::eDepth, depth_tests, Access::eDepthStencilAttachmentWrite,
+                 depth_tests | Stage::eFragmentShader, Access::eDepthStencilAttachmentRead | Access::eShaderSampledRead,
+                 Layout::eDepthAttachmentOptimal, Layout::eDepthReadOnlyOptimal);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
+
+void make_colour_drawable(const vk::raii::CommandBuffer& commands, const DeviceImage& image) {
+  const auto barrier = colour_to_attachment(image, Stage::eFragmentShader);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
+
+void make_colour_readable(const vk::raii::CommandBuffer& commands, const DeviceImage& image) {
+  const auto barrier = transition(image, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                                  Access::eColorAttachmentWrite, Stage::eFragmentShader, Access::eShaderSampledRead,
+                                  Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
 
 Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk::SampleCountFlagBits samples) {
   using Usage = vk::ImageUsageFlagBits;
@@ -30,63 +106,62 @@ Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk:
   target.width = width;
   target.height = height;
   target.samples = samples;
-  const auto info = [&](vk::Format format, vk::SampleCountFlagBits count, vk::ImageUsageFlags usage) {
-    return vk::ImageCreateInfo({}, vk::ImageType::e2D, format, vk::Extent3D(width, height, 1), 1, 1, count,
-                               vk::ImageTiling::eOptimal, usage);
-  };
   constexpr auto one = vk::SampleCountFlagBits::e1;
-  target.colour = vulkan.create_image(info(colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc),
-                                      vk::ImageAspectFlagBits::eColor);
-  target.depth =
-      vulkan.create_image(info(depth_format, samples, Usage::eDepthStencilAttachment), vk::ImageAspectFlagBits::eDepth);
+  target.colour =
+      vulkan.create_image(image_info(target, colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc),
+                          vk::ImageAspectFlagBits::eColor);
+  target.depth = target.create_depth(vulkan);
   if (samples != one)
-    target.multisampled =
-        vulkan.create_image(info(colour_format, samples, Usage::eColorAttachment | Usage::eTransientAttachment),
-                            vk::ImageAspectFlagBits::eColor);
+    target.multisampled = vulkan.create_image(image_info(target, colour_format, samples, Usage::eColorAttachment),
+                                              vk::ImageAspectFlagBits::eColor);
   target.readback = vulkan.create_buffer(vk::DeviceSize{4} * width * height, vk::BufferUsageFlagBits::eTransferDst,
                                          MemoryUse::readback);
   return target;
 }
 
-void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background) const {
-  const vk::AccessFlags2 depth_access = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
-  std::vector<vk::ImageMemoryBarrier2> barriers{
-      transition(colour, vk::ImageAspectFlagBits::eColor, Stage::eCopy, Access::eNone, Stage::eColorAttachmentOutput,
-                 Access::eColorAttachmentWrite, Layout::eUndefined, Layout::eColorAttachmentOptimal),
-      transition(depth, vk::ImageAspectFlagBits::eDepth, Stage::eLateFragmentTests,
-                 Access::eDepthStencilAttachmentWrite, Stage::eEarlyFragmentTests, depth_access, Layout::eUndefined,
-                 Layout::eDepthAttachmentOptimal)};
-  if (*multisampled.image)
-    barriers.push_back(transition(multisampled, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                                  Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput,
-                                  Access::eColorAttachmentWrite, Layout::eUndefined, Layout::eColorAttachmentOptimal));
+DeviceImage Target::create_depth(VulkanDevice& vulkan) const {
+  using Usage = vk::ImageUsageFlagBits;
+  return vulkan.create_image(image_info(*this, depth_format, samples, Usage::eDepthStencilAttachment | Usage::eSampled),
+                             vk::ImageAspectFlagBits::eDepth);
+}
+
+vk::RenderingAttachmentInfo Target::colour_attachment(vk::AttachmentLoadOp load, bool last) const {
+  const bool resolves = *multisampled.image != vk::Image();
+  vk::RenderingAttachmentInfo info(resolves ? *multisampled.view : *colour.view, Layout::eColorAttachmentOptimal);
+  info.loadOp = load;
+  info.storeOp = resolves && last ? vk::AttachmentStoreOp::eDontCare : vk::AttachmentStoreOp::eStore;
+  if (resolves && last) {
+    info.resolveMode = vk::ResolveModeFlagBits::eAverage;
+    info.resolveImageView = *colour.view;
+    info.resolveImageLayout = Layout::eColorAttachmentOptimal;
+  }
+  return info;
+}
+
+void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last) const {
+  std::vector<vk::ImageMemoryBarrier2> barriers{colour_to_attachment(colour, Stage::eCopy), depth_to_attachment(depth)};
+  if (*multisampled.image) barriers.push_back(colour_to_attachment(multisampled, Stage::eColorAttachmentOutput));
   commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barriers));
 
-  vk::RenderingAttachmentInfo colour_info;
-  colour_info.imageLayout = Layout::eColorAttachmentOptimal;
-  colour_info.loadOp = vk::AttachmentLoadOp::eClear;
+  vk::RenderingAttachmentInfo colour_info = colour_attachment(vk::AttachmentLoadOp::eClear, last);
   colour_info.clearValue = vk::ClearColorValue(background);
-  if (*multisampled.image) {
-    colour_info.imageView = *multisampled.view;
-    colour_info.storeOp = vk::AttachmentStoreOp::eDontCare;
-    colour_info.resolveMode = vk::ResolveModeFlagBits::eAverage;
-    colour_info.resolveImageView = *colour.view;
-    colour_info.resolveImageLayout = Layout::eColorAttachmentOptimal;
-  } else {
-    colour_info.imageView = *colour.view;
-    colour_info.storeOp = vk::AttachmentStoreOp::eStore;
-  }
-  vk::RenderingAttachmentInfo depth_info;
-  depth_info.imageView = *depth.view;
-  depth_info.imageLayout = Layout::eDepthAttachmentOptimal;
+  vk::RenderingAttachmentInfo depth_info(*depth.view, Layout::eDepthAttachmentOptimal);
   depth_info.loadOp = vk::AttachmentLoadOp::eClear;
-  depth_info.storeOp = vk::AttachmentStoreOp::eDontCare;
+  depth_info.storeOp = last ? vk::AttachmentStoreOp::eDontCare : vk::AttachmentStoreOp::eStore;
   depth_info.clearValue = vk::ClearDepthStencilValue(1.0f, 0);
+  begin_rendering(*this, commands, colour_info, depth_info);
+}
 
-  const vk::Rect2D area({0, 0}, {width, height});
-  commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour_info, &depth_info));
-  commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1));
-  commands.setScissor(0, area);
+void Target::resume(const vk::raii::CommandBuffer& commands, const DeviceImage& tested_depth, bool last) const {
+  const vk::MemoryBarrier2 drawn(Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                                 Stage::eColorAttachmentOutput,
+                                 Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, drawn));
+  const vk::RenderingAttachmentInfo colour_info = colour_attachment(vk::AttachmentLoadOp::eLoad, last);
+  vk::RenderingAttachmentInfo depth_info(*tested_depth.view, Layout::eDepthReadOnlyOptimal);
+  depth_info.loadOp = vk::AttachmentLoadOp::eLoad;
+  depth_info.storeOp = vk::AttachmentStoreOp::eNone;
+  begin_rendering(*this, commands, colour_info, depth_info);
 }
 
 void Target::end(const vk::raii::CommandBuffer& commands) const { commands.endRendering(); }

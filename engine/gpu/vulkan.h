@@ -49,6 +49,7 @@ struct VulkanDevice {
   uint32_t queue_family = 0;
   vk::PhysicalDeviceLimits limits;
   bool anisotropy = false;
+  bool sample_shading = false;
   DeviceInfo info;
   std::mutex message_mutex;
   std::vector<std::string> messages;

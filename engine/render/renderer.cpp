@@ -3,62 +3,41 @@
 #include <cstring>
 
 #include "engine/deform/rigid_split.h"
-#include "engine/gpu/shader_code.h"
-#include "engine/gpu/target.h"
-#include "engine/render/surface.h"
+#include "engine/render/draw_pipelines.h"
+#include "engine/render/layers.h"
+#include "engine/render/shadow_maps.h"
+#include "engine/render/studio.h"
+#include "engine/render/wire.h"
 
 namespace sinew {
 namespace {
 
-/// How a pipeline treats what lies behind a surface.
-enum class Blending { opaque, over };
+/// Width of a wire at 720 lines; it grows with the picture.
+constexpr double wire_width = 1.1;
+/// Dark blue-grey, sRGB and alpha; and what shines through of hidden edges.
+const Vec4f wire_ink(0.07f, 0.09f, 0.14f, 0.80f), hidden_wire_ink(0.07f, 0.09f, 0.14f, 0.22f);
 
-vk::raii::Pipeline create_pipeline(VulkanDevice& vulkan, vk::PipelineLayout layout, vk::SampleCountFlagBits samples,
-                                   Blending blending) {
-  const vk::raii::ShaderModule vertex = vulkan.shader(shader_code(Shader::surface_vertex));
-  const vk::raii::ShaderModule fragment = vulkan.shader(shader_code(Shader::surface_fragment));
-  const std::array stages{vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"),
-                          vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main")};
-  const std::array bindings{vk::VertexInputBindingDescription(0, layout::words_per_output * 16),
-                            vk::VertexInputBindingDescription(1, sizeof(Vec2f))};
-  const std::array attributes{vk::VertexInputAttributeDescription(0, 0, vk::Format::eR32G32B32A32Sfloat, 0),
-                              vk::VertexInputAttributeDescription(1, 0, vk::Format::eR32G32B32A32Sfloat, 16),
-                              vk::VertexInputAttributeDescription(2, 1, vk::Format::eR32G32Sfloat, 0)};
-  const vk::PipelineVertexInputStateCreateInfo input({}, bindings, attributes);
-  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
-  const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
-  vk::PipelineRasterizationStateCreateInfo raster;
-  raster.polygonMode = vk::PolygonMode::eFill;
-  raster.lineWidth = 1.0f;
-  const vk::PipelineMultisampleStateCreateInfo multisample({}, samples);
-  const bool opaque = blending == Blending::opaque;
-  const vk::PipelineDepthStencilStateCreateInfo depth({}, true, opaque, vk::CompareOp::eLess);
-  vk::PipelineColorBlendAttachmentState blend(!opaque, vk::BlendFactor::eSrcAlpha, vk::BlendFactor::eOneMinusSrcAlpha,
-                                              vk::BlendOp::eAdd, vk::BlendFactor::eOne,
-                                              vk::BlendFactor::eOneMinusSrcAlpha, vk::BlendOp::eAdd);
-  using Component = vk::ColorComponentFlagBits;
-  blend.colorWriteMask = Component::eR | Component::eG | Component::eB | Component::eA;
-  const vk::PipelineColorBlendStateCreateInfo blend_state({}, false, {}, blend);
-  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
-                           vk::DynamicState::eFrontFace};
-  const vk::PipelineDynamicStateCreateInfo dynamic_state({}, dynamic);
-  vk::GraphicsPipelineCreateInfo info({}, stages, &input, &assembly, nullptr, &viewport, &raster, &multisample, &depth,
-                                      &blend_state, &dynamic_state, layout);
-  const vk::PipelineRenderingCreateInfo rendering(0, Target::colour_format, Target::depth_format);
-  info.pNext = &rendering;
-  return {vulkan.device, nullptr, info};
-}
+Vec4f word(const Vec3& v, double w = 0.0) { return Vec4f(Vec4(v, w)); }
 
-layout::FrameUniforms frame_uniforms(const Shot& shot, double aspect) {
+layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, const ShadowMaps& maps) {
   layout::FrameUniforms u{};
   const Viewpoint& camera = shot.viewpoint;
-  u.view_projection = Mat4f(camera.view_projection(aspect));
-  u.eye = Vec4f(Vec4(camera.eye, 1.0));
-  u.right = Vec4f(Vec4(camera.right, 0.0));
-  u.up = Vec4f(Vec4(camera.up, 0.0));
-  u.back = Vec4f(Vec4(camera.back, 0.0));
-  u.depth_range = Vec4f(Vec4(camera.near_plane, camera.far_plane, shot.largest_bulge, 0.0));
-  u.shading = static_cast<uint32_t>(shot.shading);
+  const Studio studio = make_studio(camera, shot.scene, shot.floor.value_or(0.0));
+  u.view_projection = Mat4f(camera.view_projection(double(target.width) / target.height));
+  u.light_projection = Mat4f(studio.light_projection);
+  u.contact_projection = Mat4f(studio.contact_projection);
+  u.eye = word(camera.eye, 1.0);
+  u.right = word(camera.right);
+  u.up = word(camera.up);
+  u.back = word(camera.back);
+  u.key = word(studio.key);
+  u.fill = word(studio.fill);
+  u.rim = word(studio.rim);
+  u.depth_range = word({camera.near_plane, camera.far_plane, shot.largest_bulge});
+  u.floor_centre = word(studio.floor_centre, studio.fading_distance);
+  u.floor_size = word({studio.floor_half_size.x, studio.floor_half_size.y, 0.0});
+  u.shadow = word({studio.shadow_width / maps.light.side, studio.contact_reach, 0.0});
+  u.picture = word({double(target.width), double(target.height), std::max(wire_width * target.height / 720.0, 1.0)});
   return u;
 }
 
@@ -70,63 +49,107 @@ static_assert(static_cast<uint32_t>(Shading::weights) == layout::shading_weights
 static_assert(static_cast<uint32_t>(Shading::bulge) == layout::shading_bulge);
 static_assert(static_cast<uint32_t>(Shading::depth) == layout::shading_depth);
 
+bool has_materials(Shading shading) { return shading == Shading::lit || shading == Shading::flat; }
+
+/// Whether a part of this material is drawn in a pass.
+bool takes_part(DrawPass pass, uint32_t alpha) {
+  const bool blended = alpha == layout::alpha_blend;
+  return pass == DrawPass::peel || pass == DrawPass::layer || pass == DrawPass::behind ? blended : !blended;
+}
+
 }  // namespace
 
 struct Renderer::Impl {
   struct Character {
     GpuDeformer deformer;
     Surface surface;
+    std::optional<Wire> wire;
   };
 
   VulkanDevice* vulkan = nullptr;
   Device* device = nullptr;
+  WireMode wire_mode = WireMode::none;
   Target target;
   Buffer frame_buffer;
-  vk::raii::DescriptorSetLayout frame_layout = nullptr, material_layout = nullptr;
+  DrawLayouts layouts;
+  ShadowMaps shadow_maps;
+  std::optional<TransparentLayers> layers;  ///< there where a character has anything transparent
+  std::optional<DrawPipelines> pipelines;
   vk::raii::DescriptorPool descriptor_pool = nullptr;
   vk::DescriptorSet frame_set;
-  vk::raii::PipelineLayout pipeline_layout = nullptr;
-  vk::raii::Pipeline opaque = nullptr, over = nullptr;
+  vk::DescriptorSet floor_set;  ///< the same, but with the contact map's shade in the map's place
   std::vector<Character> characters;
 
   void create(const RendererOptions& options);
+  void write_frame_set(vk::DescriptorSet set, const vk::DescriptorImageInfo& contact) const;
+  void add(const Model& model, const CharacterMesh& mesh, GpuDeformer deformer,
+           std::span<const std::uint32_t> triangles, std::span<const RigidDuplicate> duplicates,
+           const CharacterLook& look, std::vector<std::string>& problems);
   void set_shot(const Shot& shot) const;
   void record_deform(const vk::raii::CommandBuffer& commands) const;
-  void record_draw(const vk::raii::CommandBuffer& commands, const Shot& shot) const;
-  void record_parts(const vk::raii::CommandBuffer& commands, bool blended) const;
+  void record_shadows(const vk::raii::CommandBuffer& commands, const Shot& shot);
+  void record_draw(const vk::raii::CommandBuffer& commands, const Shot& shot);
+  void record_parts(const vk::raii::CommandBuffer& commands, DrawPass pass, const Shot& shot,
+                    vk::DescriptorSet layer_set = {});
+  void record_contact_shade(const vk::raii::CommandBuffer& commands);
+  void record_floor(const vk::raii::CommandBuffer& commands);
+  void record_wires(const vk::raii::CommandBuffer& commands);
 };
 
 void Renderer::Impl::create(const RendererOptions& options) {
-  const vk::raii::Device& d = vulkan->device;
   const auto samples = options.samples == 4 ? vk::SampleCountFlagBits::e4 : vk::SampleCountFlagBits::e1;
+  wire_mode = options.wire;
   target =
       Target::create(*vulkan, static_cast<uint32_t>(options.width), static_cast<uint32_t>(options.height), samples);
   frame_buffer =
       vulkan->create_buffer(sizeof(layout::FrameUniforms), vk::BufferUsageFlagBits::eUniformBuffer, MemoryUse::upload);
-  const auto both = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-  const vk::DescriptorSetLayoutBinding frame_binding(layout::binding_frame, vk::DescriptorType::eUniformBuffer, 1,
-                                                     both);
-  frame_layout = vk::raii::DescriptorSetLayout(d, vk::DescriptorSetLayoutCreateInfo({}, frame_binding));
-  const std::array material_bindings{
-      vk::DescriptorSetLayoutBinding(layout::binding_material, vk::DescriptorType::eUniformBuffer, 1, both),
-      vk::DescriptorSetLayoutBinding(layout::binding_base_colour, vk::DescriptorType::eCombinedImageSampler, 1, both)};
-  material_layout = vk::raii::DescriptorSetLayout(d, vk::DescriptorSetLayoutCreateInfo({}, material_bindings));
-  const vk::DescriptorPoolSize size(vk::DescriptorType::eUniformBuffer, 1);
-  descriptor_pool = vk::raii::DescriptorPool(d, vk::DescriptorPoolCreateInfo({}, 1, size));
-  frame_set =
-      (*d).allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*descriptor_pool, *frame_layout), *d.getDispatcher())
-          .front();
-  const vk::DescriptorBufferInfo whole(*frame_buffer.buffer, 0, VK_WHOLE_SIZE);
-  d.updateDescriptorSets(
-      vk::WriteDescriptorSet(frame_set, layout::binding_frame, 0, vk::DescriptorType::eUniformBuffer, {}, whole), {});
-  const std::array layouts{*frame_layout, *material_layout};
-  pipeline_layout = vk::raii::PipelineLayout(d, vk::PipelineLayoutCreateInfo({}, layouts));
-  opaque = create_pipeline(*vulkan, *pipeline_layout, samples, Blending::opaque);
-  over = create_pipeline(*vulkan, *pipeline_layout, samples, Blending::over);
+  layouts = DrawLayouts::create(*vulkan);
+  shadow_maps = ShadowMaps::create(*vulkan);
+  pipelines.emplace(*vulkan, layouts, samples);
+  const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2),
+                         vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, 4)};
+  descriptor_pool = vk::raii::DescriptorPool(vulkan->device, vk::DescriptorPoolCreateInfo({}, 2, sizes));
+  // The pool owns the sets and frees them with itself.
+  const std::array set_layouts{*layouts.frame, *layouts.frame};
+  const auto sets = (*vulkan->device)
+                        .allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*descriptor_pool, set_layouts),
+                                                *vulkan->device.getDispatcher());
+  frame_set = sets[0];
+  floor_set = sets[1];
+  write_frame_set(frame_set,
+                  {*shadow_maps.reading, *shadow_maps.contact.image.view, vk::ImageLayout::eDepthReadOnlyOptimal});
+  write_frame_set(floor_set,
+                  {*shadow_maps.smooth, *shadow_maps.shade.image.view, vk::ImageLayout::eShaderReadOnlyOptimal});
+}
+
+void Renderer::Impl::write_frame_set(vk::DescriptorSet set, const vk::DescriptorImageInfo& contact) const {
+  const vk::DescriptorBufferInfo numbers(*frame_buffer.buffer, 0, VK_WHOLE_SIZE);
+  const vk::DescriptorImageInfo light(*shadow_maps.comparing, *shadow_maps.light.image.view,
+                                      vk::ImageLayout::eDepthReadOnlyOptimal);
+  vulkan->device.updateDescriptorSets(
+      {{set, layout::binding_frame, 0, vk::DescriptorType::eUniformBuffer, {}, numbers},
+       {set, layout::binding_shadow_map, 0, vk::DescriptorType::eCombinedImageSampler, light},
+       {set, layout::binding_contact_map, 0, vk::DescriptorType::eCombinedImageSampler, contact}},
+      {});
+}
+
+void Renderer::Impl::add(const Model& model, const CharacterMesh& mesh, GpuDeformer deformer,
+                         std::span<const std::uint32_t> triangles, std::span<const RigidDuplicate> duplicates,
+                         const CharacterLook& look, std::vector<std::string>& problems) {
+  Surface surface =
+      Surface::create(*vulkan, {model, mesh, triangles, duplicates, look.weights}, layouts.material, problems);
+  if (surface.blended && !layers) layers = TransparentLayers::create(*vulkan, target, layouts.layers);
+  std::optional<Wire> wire;
+  const Buffer& vertices = deformer.impl().output;
+  if (wire_mode != WireMode::none && vertices.size <= vulkan->limits.maxStorageBufferRange)
+    wire = Wire::create(*vulkan, triangles, vertices, layouts.wire);
+  else if (wire_mode != WireMode::none)
+    problems.push_back("the mesh is too large for this device to draw its edges");
+  characters.push_back({std::move(deformer), std::move(surface), std::move(wire)});
 }
 
 void Renderer::Impl::set_shot(const Shot& shot) const {
-  const layout::FrameUniforms uniforms = frame_uniforms(shot, double(target.width) / target.height);
+  const layout::FrameUniforms uniforms = frame_uniforms(shot, target, shadow_maps);
   std::memcpy(frame_buffer.mapped, &uniforms, sizeof(uniforms));
 }
 
@@ -134,30 +157,104 @@ void Renderer::Impl::record_deform(const vk::raii::CommandBuffer& commands) cons
   for (const Character& character : characters) character.deformer.impl().record(commands);
 }
 
-void Renderer::Impl::record_parts(const vk::raii::CommandBuffer& commands, bool blended) const {
-  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, blended ? *over : *opaque);
-  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_layout, 0, frame_set, {});
+void Renderer::Impl::record_shadows(const vk::raii::CommandBuffer& commands, const Shot& shot) {
+  if (!has_materials(shot.shading)) return;
+  if (shot.shadows || shot.floor) {
+    shadow_maps.light.begin(commands);
+    record_parts(commands, DrawPass::light, shot);
+    shadow_maps.light.end(commands);
+  }
+  if (shot.floor) {
+    shadow_maps.contact.begin(commands);
+    record_parts(commands, DrawPass::below, shot);
+    shadow_maps.contact.end(commands);
+    record_contact_shade(commands);
+  }
+}
+
+void Renderer::Impl::record_parts(const vk::raii::CommandBuffer& commands, DrawPass pass, const Shot& shot,
+                                  vk::DescriptorSet layer_set) {
+  constexpr auto graphics = vk::PipelineBindPoint::eGraphics;
+  const bool depth_only = pass == DrawPass::light || pass == DrawPass::below;
+  commands.bindDescriptorSets(graphics, *layouts.surface, 0, frame_set, {});
+  if (layer_set) commands.bindDescriptorSets(graphics, *layouts.surface, 2, layer_set, {});
   for (const Character& character : characters) {
     const Surface& surface = character.surface;
-    const Buffer& vertices = character.deformer.impl().output;
-    commands.bindVertexBuffers(0, {*vertices.buffer, *surface.texture_coordinates.buffer}, {0, 0});
+    const GpuDeformer::Impl& deformer = character.deformer.impl();
+    std::vector<vk::Buffer> streams{*deformer.output.buffer, *surface.texture_coordinates.buffer};
+    if (*surface.colours.buffer) {
+      // Where there are no tangents no shader reads them; the stream has to be there.
+      const Buffer& tangents = deformer.has_tangents ? deformer.output_tangents : surface.colours;
+      streams.insert(streams.end(),
+                     {*tangents.buffer, *surface.second_texture_coordinates.buffer, *surface.colours.buffer});
+    }
+    commands.bindVertexBuffers(0, streams, std::vector<vk::DeviceSize>(streams.size(), 0));
     commands.bindIndexBuffer(*surface.indices.buffer, 0, vk::IndexType::eUint32);
     for (const SurfacePart& part : surface.parts) {
-      const SurfaceMaterial& material = surface.materials[part.material];
-      if (material.blended != blended || part.index_count == 0) continue;
-      commands.setCullMode(material.double_sided ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
+      const SurfaceMaterial& material = surface.material(part);
+      if (!takes_part(pass, material.alpha)) continue;
+      SurfaceLook look{pass, 0, material.maps, material.alpha, material.unlit, false, material.rich};
+      if (!depth_only) {
+        look.shading = static_cast<uint32_t>(shot.shading);
+        look.shadows = shot.shadows && has_materials(shot.shading);
+      }
+      commands.bindPipeline(graphics, pipelines->surface(look));
+      // A light is not asked which side of a sheet it sees.
+      const bool both_sides = material.double_sided || depth_only;
+      commands.setCullMode(both_sides ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
       commands.setFrontFace(part.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
-      commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_layout, 1, material.set, {});
+      commands.bindDescriptorSets(graphics, *layouts.surface, 1, material.set, {});
       commands.drawIndexed(part.index_count, 1, part.first_index, 0, 0);
     }
   }
 }
 
-void Renderer::Impl::record_draw(const vk::raii::CommandBuffer& commands, const Shot& shot) const {
-  target.begin(commands, shot.background);
-  record_parts(commands, false);
-  record_parts(commands, true);
+void Renderer::Impl::record_contact_shade(const vk::raii::CommandBuffer& commands) {
+  shadow_maps.shade.begin(commands);
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipelines->contact());
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts.surface, 0, frame_set, {});
+  commands.setCullMode(vk::CullModeFlagBits::eNone);
+  commands.setFrontFace(vk::FrontFace::eCounterClockwise);
+  commands.draw(3, 1, 0, 0);
+  shadow_maps.shade.end(commands);
+}
+
+void Renderer::Impl::record_floor(const vk::raii::CommandBuffer& commands) {
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipelines->floor());
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts.surface, 0, floor_set, {});
+  commands.setCullMode(vk::CullModeFlagBits::eNone);
+  commands.setFrontFace(vk::FrontFace::eCounterClockwise);
+  commands.draw(4, 1, 0, 0);
+}
+
+void Renderer::Impl::record_wires(const vk::raii::CommandBuffer& commands) {
+  const auto record = [&](WireDepth depth, const Vec4f& ink) {
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipelines->wire(depth));
+    commands.pushConstants<Vec4f>(*layouts.wires, vk::ShaderStageFlagBits::eFragment, 0, ink);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts.wires, 0, frame_set, {});
+    commands.setCullMode(vk::CullModeFlagBits::eNone);
+    commands.setFrontFace(vk::FrontFace::eCounterClockwise);
+    for (const Character& character : characters) {
+      if (!character.wire) continue;
+      commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts.wires, 1, character.wire->set, {});
+      commands.draw(6 * character.wire->edge_count, 1, 0, 0);
+    }
+  };
+  if (wire_mode == WireMode::all) record(WireDepth::through, hidden_wire_ink);
+  record(WireDepth::tested, wire_ink);
+}
+
+void Renderer::Impl::record_draw(const vk::raii::CommandBuffer& commands, const Shot& shot) {
+  record_shadows(commands, shot);
+  target.begin(commands, shot.background, !layers);
+  record_parts(commands, DrawPass::opaque, shot);
+  // Seen from below the floor hides nothing and shows nothing.
+  if (shot.floor && has_materials(shot.shading) && shot.viewpoint.eye.y > *shot.floor) record_floor(commands);
+  if (wire_mode != WireMode::none) record_wires(commands);
   target.end(commands);
+  if (!layers) return;
+  layers->record(commands, target,
+                 [&](DrawPass pass, vk::DescriptorSet set) { record_parts(commands, pass, shot, set); });
 }
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -173,7 +270,7 @@ Result<Renderer> Renderer::create(Device& device, const RendererOptions& options
     return bad_input("--size {}x{}: this device makes pictures of up to {}x{}", options.width, options.height, largest,
                      largest);
   const auto counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts;
-  if (options.samples == 4 && !(counts & vk::SampleCountFlagBits::e4))
+  if (options.samples == 4 && (!(counts & vk::SampleCountFlagBits::e4) || !device.vulkan().sample_shading))
     return bad_input("--samples 4: this device draws with 1 sample only");
   auto impl = std::make_unique<Impl>();
   impl->vulkan = &device.vulkan();
@@ -184,19 +281,16 @@ Result<Renderer> Renderer::create(Device& device, const RendererOptions& options
 
 Result<void> Renderer::add_character(const Model& model, const CharacterMesh& mesh, const RestShape& rest,
                                      std::span<const PlacedMuscle> muscles, const GpuDeformerOptions& options,
-                                     std::vector<std::string>& problems) {
+                                     const CharacterLook& look, std::vector<std::string>& problems) {
   RigidSplit split;
   if (options.deformer == Deformer::rigid) split = split_by_bone(mesh);
   auto deformer = GpuDeformer::create(*impl_->device, mesh, rest, muscles, options, split.duplicates);
   if (!deformer) return pass_on(std::move(deformer));
   const std::span<const std::uint32_t> triangles =
       options.deformer == Deformer::rigid ? std::span<const std::uint32_t>(split.triangles) : mesh.triangles;
-  auto surface = vulkan_call("uploading surfaces", [&] {
-    return Surface::create(*impl_->vulkan, model, mesh, triangles, split.duplicates, impl_->material_layout, problems);
+  return vulkan_call("uploading surfaces", [&] {
+    impl_->add(model, mesh, std::move(*deformer), triangles, split.duplicates, look, problems);
   });
-  if (!surface) return pass_on(std::move(surface));
-  impl_->characters.push_back({std::move(*deformer), std::move(*surface)});
-  return {};
 }
 
 GpuDeformer& Renderer::deformer(std::size_t character) { return impl_->characters[character].deformer; }

@@ -3,18 +3,21 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "engine/gpu/gpu_deformer.h"
 #include "engine/model/picture.h"
 #include "engine/model/scene.h"
 #include "engine/render/viewpoint.h"
+#include "engine/render/wire_mode.h"
 
 namespace sinew {
 
 struct RendererOptions {
   int width = 1280, height = 720;
   int samples = 1;  ///< 1 or 4
+  WireMode wire = WireMode::none;
 };
 
 /// One frame's look at the scene.
@@ -22,7 +25,15 @@ struct Shot {
   Viewpoint viewpoint;
   Shading shading = Shading::lit;
   std::array<float, 4> background{0.847f, 0.847f, 0.847f, 1.0f};  ///< sRGB and alpha, 0 to 1
-  double largest_bulge = 0.0;  ///< height that Shading::bulge shows in full red, world units
+  double largest_bulge = 0.0;   ///< height that Shading::bulge shows in full red, world units
+  Bounds scene;                 ///< box of all that is shown over the whole range: what shadows are drawn for
+  bool shadows = false;         ///< of the key light; Shading::lit and flat only
+  std::optional<double> floor;  ///< height of the floor that shows shadows; likewise
+};
+
+/// What a character looks like, besides its shape.
+struct CharacterLook {
+  std::span<const double> weights;  ///< [mesh.vertices] 0 to 1, what Shading::weights shows; or empty
 };
 
 /// Draws any number of characters into one picture. A frame is set_state() of every character, then draw().
@@ -40,7 +51,7 @@ class Renderer {
   /// be decoded is shown as white and named in `problems`. With Deformer::rigid each triangle follows one bone.
   Result<void> add_character(const Model& model, const CharacterMesh& mesh, const RestShape& rest,
                              std::span<const PlacedMuscle> muscles, const GpuDeformerOptions& options,
-                             std::vector<std::string>& problems);
+                             const CharacterLook& look, std::vector<std::string>& problems);
 
   GpuDeformer& deformer(std::size_t character);
 

@@ -1,18 +1,9 @@
 #include "engine/render/viewpoint.h"
 
-#include <array>
-
 namespace sinew {
 namespace {
 
 constexpr double margin = 0.04;
-
-std::array<Vec3, 8> corners(const Bounds& box) {
-  std::array<Vec3, 8> result;
-  for (int i = 0; i < 8; ++i)
-    result[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
-  return result;
-}
 
 Viewpoint oriented(const ViewDirection& direction) {
   const double a = direction.azimuth * degrees_to_radians, e = direction.elevation * degrees_to_radians;
@@ -47,8 +38,8 @@ Viewpoint look_at(const Vec3& target, double distance, const Bounds& box, const 
   Viewpoint camera = oriented(direction);
   camera.eye = target + distance * camera.back;
   double nearest = INFINITY, farthest = 0.0;
-  for (const Vec3& corner : corners(box)) {
-    const double depth = glm::dot(camera.eye - corner, camera.back);
+  for (int i = 0; i < 8; ++i) {
+    const double depth = glm::dot(camera.eye - box.corner(i), camera.back);
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
@@ -64,8 +55,8 @@ Viewpoint frame_box(const Bounds& box, const ViewDirection& direction, double as
   const double slope_y = (1.0 - 2.0 * margin) * std::tan(0.5 * vertical_field_of_view_degrees * degrees_to_radians);
   const double slope_x = slope_y * aspect;
   double distance = 1e-6;
-  for (const Vec3& corner : corners(box)) {
-    const Vec3 p = corner - box.centre();
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 p = box.corner(i) - box.centre();
     const double depth = glm::dot(p, axes.back);
     distance = std::max({distance, depth + std::abs(glm::dot(p, axes.right)) / slope_x,
                          depth + std::abs(glm::dot(p, axes.up)) / slope_y});

@@ -1,0 +1,84 @@
+#include "engine/render/shadow_maps.h"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t light_side = 1024, contact_side = 128;
+
+}  // namespace
+
+DepthMap DepthMap::create(VulkanDevice& vulkan, uint32_t side) {
+  using Usage = vk::ImageUsageFlagBits;
+  DepthMap map;
+  map.side = side;
+  map.image =
+      vulkan.create_image(vk::ImageCreateInfo({}, vk::ImageType::e2D, Target::depth_format, vk::Extent3D(side, side, 1),
+                                              1, 1, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                                              Usage::eDepthStencilAttachment | Usage::eSampled),
+                          vk::ImageAspectFlagBits::eDepth);
+  vulkan.run([&](vk::raii::CommandBuffer& commands) {
+    map.begin(commands);
+    map.end(commands);
+  });
+  return map;
+}
+
+void DepthMap::begin(const vk::raii::CommandBuffer& commands) const {
+  begin_depth_rendering(commands, image, side, side, 1.0f);
+}
+
+void DepthMap::end(const vk::raii::CommandBuffer& commands) const { end_depth_rendering(commands, image); }
+
+ShadeMap ShadeMap::create(VulkanDevice& vulkan, uint32_t side) {
+  using Usage = vk::ImageUsageFlagBits;
+  ShadeMap map;
+  map.side = side;
+  map.image = vulkan.create_image(vk::ImageCreateInfo({}, vk::ImageType::e2D, format, vk::Extent3D(side, side, 1), 1, 1,
+                                                      vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                                                      Usage::eColorAttachment | Usage::eSampled),
+                                  vk::ImageAspectFlagBits::eColor);
+  vulkan.run([&](vk::raii::CommandBuffer& commands) {
+    map.begin(commands);
+    map.end(commands);
+  });
+  return map;
+}
+
+void ShadeMap::begin(const vk::raii::CommandBuffer& commands) const {
+  make_colour_drawable(commands, image);
+  vk::RenderingAttachmentInfo colour(*image.view, vk::ImageLayout::eColorAttachmentOptimal);
+  colour.loadOp = vk::AttachmentLoadOp::eClear;
+  colour.storeOp = vk::AttachmentStoreOp::eStore;
+  commands.beginRendering(vk::RenderingInfo({}, vk::Rect2D({0, 0}, {side, side}), 1, 0, colour));
+  cover(commands, side, side);
+}
+
+void ShadeMap::end(const vk::raii::CommandBuffer& commands) const {
+  commands.endRendering();
+  make_colour_readable(commands, image);
+}
+
+ShadowMaps ShadowMaps::create(VulkanDevice& vulkan) {
+  ShadowMaps maps;
+  maps.light = DepthMap::create(vulkan, light_side);
+  maps.contact = DepthMap::create(vulkan, contact_side);
+  maps.shade = ShadeMap::create(vulkan, contact_side);
+  // Beyond the maps nothing stands.
+  constexpr auto border = vk::SamplerAddressMode::eClampToBorder;
+  vk::SamplerCreateInfo info({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eNearest, border,
+                             border, border);
+  info.borderColor = vk::BorderColor::eFloatOpaqueWhite;
+  // Devices need not filter depth but where they compare it.
+  info.minFilter = info.magFilter = vk::Filter::eNearest;
+  maps.reading = vk::raii::Sampler(vulkan.device, info);
+  info.minFilter = info.magFilter = vk::Filter::eLinear;
+  info.borderColor = vk::BorderColor::eFloatOpaqueBlack;
+  maps.smooth = vk::raii::Sampler(vulkan.device, info);
+  info.borderColor = vk::BorderColor::eFloatOpaqueWhite;
+  info.compareEnable = true;
+  info.compareOp = vk::CompareOp::eLessOrEqual;
+  maps.comparing = vk::raii::Sampler(vulkan.device, info);
+  return maps;
+}
+
+}  // namespace sinew

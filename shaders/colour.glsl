@@ -1,0 +1,5 @@
+// Light is linear; pictures hold sRGB numbers. IEC 61966-2-1.
+vec3 srgb_from_linear(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}

@@ -1,0 +1,112 @@
+#include "engine/render/studio.h"
+#include "tests/render/stage_set.h"
+
+namespace sinew::test {
+namespace {
+
+class Shadows : public DeviceTest {};
+
+int level(const Rgba& c) { return c[0] + c[1] + c[2]; }
+
+/// A wall, and a small square hung up between it and the light.
+Model wall_and_square(double distance) {
+  Squares squares;
+  squares.add({0, 0, 0}, 1.3).unlit = false;
+  squares.add({-0.3, 0.3, distance}, 0.25).unlit = false;
+  return squares.model;
+}
+
+TEST_F(Shadows, FallAwayFromTheKeyLight) {
+  const Model model = wall_and_square(0.5);
+  const Picture with = drawn(model, {.shadows = true}), without = drawn(model);
+  // The key light comes from the upper left: (-0.52, 0.62, 0.59) carries the shadow by (0.44, -0.53) for 0.5.
+  const auto pixel = [](double x) { return static_cast<int>(32 + 32 * x / 1.34); };
+  EXPECT_LT(level(at(with, pixel(0.14), pixel(0.23))), level(at(without, pixel(0.14), pixel(0.23))) - 60);
+  // Not on the other side, nor on the square itself.
+  EXPECT_EQ(at(with, pixel(-0.9), pixel(0.9)), at(without, pixel(-0.9), pixel(0.9)));
+  EXPECT_NEAR(level(at(with, pixel(-0.33), pixel(-0.33))), level(at(without, pixel(-0.33), pixel(-0.33))), 3);
+}
+
+TEST_F(Shadows, NoSurfaceShadesItself) {
+  Squares squares;
+  squares.add({0, 0, 0}, 1.3).unlit = false;
+  const Picture with = drawn(squares.model, {.shadows = true}), without = drawn(squares.model);
+  EXPECT_EQ(with.rgba, without.rgba);
+}
+
+TEST_F(Shadows, HolesInAMaskLetLightThrough) {
+  Model model = wall_and_square(0.5);
+  model.materials[1].alpha_mode = AlphaMode::mask;
+  model.materials[1].base_colour.a = 0.2;
+  const Picture cut = drawn(model, {.shadows = true});
+  Squares wall;
+  wall.add({0, 0, 0}, 1.3).unlit = false;
+  EXPECT_EQ(at(cut, 35, 37), at(drawn(wall.model), 35, 37));
+}
+
+TEST_F(Shadows, TheFloorShowsThemAndNothingElse) {
+  Squares squares;
+  // Seen from above a sheet that stands upright hides much of its shadow: this one lies.
+  squares.add({0, 0.5, 0}, 0.5);
+  for (Vec3& p : squares.last().positions) p = {p.x, 0.3, 0.5 - p.y};
+  squares.last().normals.assign(4, Vec3(0, 1, 0));
+  const Setting above{.floor = 0.0, .eye = {0, 3, 4}, .target = {0, 0.3, 0}};
+  Setting none = above;
+  none.floor.reset();
+  const Picture with = drawn(squares.model, above), without = drawn(squares.model, none);
+  int darker = 0, brighter = 0;
+  for (std::size_t i = 0; i < with.rgba.size(); ++i) {
+    darker += with.rgba[i] < without.rgba[i] ? 1 : 0;
+    brighter += with.rgba[i] > without.rgba[i] ? 1 : 0;
+  }
+  EXPECT_GT(darker, 300);
+  EXPECT_EQ(brighter, 0);
+  // The far corners of the picture lie beyond all shadows.
+  EXPECT_EQ(at(with, 1, 1), at(without, 1, 1));
+  Setting below = above;
+  below.eye = {0, -3, 4};
+  below.target = {0, 0, 0};
+  Setting bare = below;
+  bare.floor.reset();
+  EXPECT_EQ(drawn(squares.model, below).rgba, drawn(squares.model, bare).rgba) << "seen from below";
+}
+
+TEST_F(Shadows, PlainModesHaveNone) {
+  const Model model = wall_and_square(0.5);
+  for (const Shading shading : {Shading::clay, Shading::normals, Shading::depth})
+    EXPECT_EQ(drawn(model, {.shading = shading, .shadows = true, .floor = -1.0}).rgba,
+              drawn(model, {.shading = shading}).rgba);
+}
+
+TEST(Studio, LightsStandRelativeToTheCamera) {
+  Viewpoint turned;
+  turned.right = {0, 0, -1};
+  turned.back = {1, 0, 0};
+  Bounds box;
+  box.add(Vec3(-1, 0, -1));
+  box.add(Vec3(1, 2, 1));
+  const Studio front = make_studio({}, box, 0.0), side = make_studio(turned, box, 0.0);
+  const glm::dmat3 axes(turned.right, turned.up, turned.back);
+  EXPECT_LT(glm::length(side.key - axes * front.key), 1e-12);
+  for (const Vec3& direction : {front.key, front.fill, front.rim}) EXPECT_NEAR(glm::length(direction), 1.0, 1e-12);
+}
+
+TEST(Studio, MapsHoldTheWholeSceneAndTheFloorItsShadow) {
+  Bounds box;
+  box.add(Vec3(-0.7, 0.1, -0.4));
+  box.add(Vec3(0.9, 1.8, 0.5));
+  const Studio studio = make_studio({}, box, 0.1);
+  for (int i = 0; i < 8; ++i) {
+    const Vec4 clip = studio.light_projection * Vec4(box.corner(i), 1.0);
+    EXPECT_LE(std::max(std::abs(clip.x), std::abs(clip.y)), 1.0);
+    EXPECT_GE(clip.z, 0.0);
+    EXPECT_LE(clip.z, 1.0);
+    // Along the light down to the floor.
+    const Vec3 corner = box.corner(i), fallen = corner - studio.key * ((corner.y - 0.1) / studio.key.y);
+    EXPECT_LE(std::abs(fallen.x - studio.floor_centre.x), studio.floor_half_size.x + 1e-9);
+    EXPECT_LE(std::abs(fallen.z - studio.floor_centre.z), studio.floor_half_size.y + 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
