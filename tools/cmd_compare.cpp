@@ -117,7 +117,8 @@ void add_compare(CLI::App& program, Run& run) {
   command->add_option("--pixels", words->pixels, "Share of the pixels that may exceed it, 0 to 1")
       ->capture_default_str();
   command->add_option("--metric", words->metric, "How to compare: pixels, ssim or flip")->capture_default_str();
-  command->add_option("--threshold", words->threshold, "Of 1 - SSIM or the mean FLIP: at most this may it be")->capture_default_str();
+  command->add_option("--threshold", words->threshold, "Of 1 - SSIM or the mean FLIP: at most this may it be")
+      ->capture_default_str();
   command->add_option("--diff", words->diff, "Write the difference, eight times amplified, to this .png");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return compare(*words); }; });

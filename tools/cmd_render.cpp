@@ -37,6 +37,15 @@ Result<LookOptions> look_options(const LookWords& words) {
   };
   if (auto ok = optional(words.view, parse_view, look.view); !ok) return pass_on(std::move(ok));
   if (auto ok = optional(words.shading, parse_shading, look.shading); !ok) return pass_on(std::move(ok));
+  if (look.shading == Shading::weights && words.joint.empty())
+    return failure(ErrorKind::usage,
+                   "--shading weights: whose? Name a joint with --joint, such as --joint leftLowerArm");
+  look.joint = words.joint;
+  const auto on_off = [](const char* option) {
+    return [=](const std::string& text) { return parse_switch(option, text); };
+  };
+  if (auto ok = optional(words.shadows, on_off("--shadows"), look.shadows); !ok) return pass_on(std::move(ok));
+  if (auto ok = optional(words.floor, on_off("--floor"), look.floor); !ok) return pass_on(std::move(ok));
   if (auto ok = optional(words.background, parse_background, look.background); !ok) return pass_on(std::move(ok));
   return look;
 }
@@ -147,14 +156,14 @@ void add_render(CLI::App& program, Run& run) {
                    "x.png, x_####.png for several frames, or a film: x.mp4, x.webm, x.gif")
       ->required();
   add_look_options(*command, words->look);
-  command->add_option("--overlay", words->overlay, "Drawn over the picture: skeleton, muscles, box, axes, by commas");
+  command->add_option("--overlay", words->overlay,
+                      "Drawn over the picture: wire or wire-all, skeleton, muscles, box, axes, by commas");
   command->add_option("--compare", words->compare, "Panels side by side: bulge, deformer, or another scene or model");
   command->add_option("--zoom", words->zoom, "An inset near this joint");
   command->add_option("--sheet", words->sheet, "COLUMNSxROWS: that many of the frames in one picture");
   command->add_option("--turntable", words->turntable, "So many pictures round the first selected frame");
   command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");
   command->add_flag("--resume", words->resume, "Keep frames that an earlier run of the same recipe wrote whole");
-  add_later_option(*command, "--joint");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return render(*words); }; });
 }

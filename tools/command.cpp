@@ -48,7 +48,10 @@ void add_look_options(CLI::App& command, LookWords& words) {
   command.add_option("--samples", words.samples, "Samples a pixel: 1 or 4")->capture_default_str();
   command.add_option("--view", words.view, "front, back, left, right, top or three-quarter");
   command.add_option("--orbit", words.orbit, "Degrees that the camera turns, counter-clockwise seen from above");
-  command.add_option("--shading", words.shading, "lit, flat, clay, normals, bulge or depth");
+  command.add_option("--shading", words.shading, "lit, flat, clay, normals, weights, bulge or depth");
+  command.add_option("--joint", words.joint, "Whose weights --shading weights shows");
+  command.add_option("--shadows", words.shadows, "on or off: shadows of the key light");
+  command.add_option("--floor", words.floor, "on or off: a floor that shows shadows");
   command.add_option("--background", words.background, "A colour such as #d8d8d8, or transparent");
 }
 

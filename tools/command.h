@@ -38,7 +38,7 @@ struct SceneWords {
 
 /// The words of the look options, as typed.
 struct LookWords {
-  std::string size = "1280x720", view, shading, background;
+  std::string size = "1280x720", view, shading, joint, shadows, floor, background;
   int samples = 1;
   std::optional<double> orbit;
 };

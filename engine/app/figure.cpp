@@ -129,15 +129,19 @@ Result<OverlayOptions> parse_overlay(std::string_view text) {
       {"skeleton", &overlay.skeleton}, {"muscles", &overlay.muscles}, {"box", &overlay.box}, {"axes", &overlay.axes}};
   std::vector<std::string> known;
   for (const auto& [word, flag] : words) known.emplace_back(word);
+  known.insert(known.end(), {"wire", "wire-all"});
   for (const std::string& asked : split(text, ',')) {
-    if (asked == "wire" || asked == "guides" || asked == "regions")
+    if (asked == "guides" || asked == "regions")
       return failure(ErrorKind::usage, "--overlay {}: does not exist yet; expected some of {}", asked,
                      fmt::join(known, ", "));
     const auto found = std::find(known.begin(), known.end(), asked);
     if (found == known.end())
       return failure(ErrorKind::usage, "--overlay {}: expected some of {}, separated by commas{}", asked,
                      fmt::join(known, ", "), did_you_mean(asked, known));
-    *words[found - known.begin()].second = true;
+    if (asked == "wire" || asked == "wire-all")
+      overlay.wire = asked == "wire" ? WireMode::visible : WireMode::all;
+    else
+      *words[found - known.begin()].second = true;
   }
   return overlay;
 }
@@ -186,7 +190,7 @@ Result<FigureMaker> FigureMaker::create(Device& device, const Stage& stage, cons
     impl->panels.push_back(std::move(*panel));
     impl->labels.push_back(plan.label);
   }
-  if (figure.overlay.any() || figure.sheet || plans.size() > 1 || !figure.zoom.empty()) {
+  if (figure.overlay.painted() || figure.sheet || plans.size() > 1 || !figure.zoom.empty()) {
     auto font = Font::find();
     if (!font) return pass_on(std::move(font));
     impl->font = std::move(*font);
@@ -205,7 +209,8 @@ std::vector<int> FigureMaker::numbers(const std::vector<int>& frames) const {
 std::string FigureMaker::recipe(const std::vector<int>& frames) const {
   const FigureOptions& figure = impl_->figure;
   nlohmann::ordered_json json;
-  json["overlay"] = {figure.overlay.skeleton, figure.overlay.muscles, figure.overlay.box, figure.overlay.axes};
+  json["overlay"] = {figure.overlay.skeleton, figure.overlay.muscles, figure.overlay.box, figure.overlay.axes,
+                     static_cast<int>(figure.overlay.wire)};
   json["compare"] = impl_->other ? impl_->other->scene_hash : figure.compare;
   json["labels"] = impl_->labels;
   json["zoom"] = figure.zoom;

@@ -16,11 +16,13 @@ struct OverlayOptions {
   bool muscles = false;   ///< planes, regions, centres, ellipses
   bool box = false;       ///< the deformed vertices' box
   bool axes = false;
+  WireMode wire = WireMode::none;  ///< drawn with the surface itself
 
-  bool any() const { return skeleton || muscles || box || axes; }
+  /// Whether anything is painted over the finished picture.
+  bool painted() const { return skeleton || muscles || box || axes; }
 };
 
-/// `--overlay skeleton,muscles`. Fails as usage.
+/// `--overlay skeleton,muscles`; `wire` shows the mesh's visible edges, `wire-all` hidden ones too. Fails as usage.
 Result<OverlayOptions> parse_overlay(std::string_view text);
 
 /// Frames of a sequence in one picture.

@@ -33,20 +33,57 @@ double largest_bulge(const Stage& stage) {
   return largest;
 }
 
+/// How much each vertex follows a node.
+std::vector<double> weights_of(const CharacterMesh& mesh, int node) {
+  std::vector<double> weights(mesh.vertices(), 0.0);
+  for (std::size_t v = 0; v < mesh.vertices(); ++v)
+    for (std::uint32_t i = mesh.influences.first[v]; i < mesh.influences.first[v + 1]; ++i)
+      if (mesh.palette[mesh.influences.entries[i].joint].node == node) weights[v] += mesh.influences.entries[i].weight;
+  return weights;
+}
+
+/// What Shading::weights shows of each character: nothing where another shading is asked for, zeros where a character
+/// lacks the joint. Fails as bad_input where none has it.
+Result<std::vector<std::vector<double>>> shown_weights(const Stage& stage, const LookOptions& look) {
+  std::vector<std::vector<double>> shown(stage.characters.size());
+  if (look.shading.value_or(stage.scene.look.shading) != Shading::weights) return shown;
+  const std::string& joint = look.joint.empty() ? stage.scene.look.joint : look.joint;
+  if (joint.empty())
+    return failure(ErrorKind::usage,
+                   "--shading weights: whose? Name a joint with --joint, such as --joint leftLowerArm");
+  std::optional<Error> unknown;
+  bool found = false;
+  for (std::size_t i = 0; i < stage.characters.size(); ++i) {
+    const StagedCharacter& character = stage.characters[i];
+    const auto node = find_joint(*character.model, character.humanoid, joint);
+    if (!node) unknown = node.error();
+    found = found || node;
+    shown[i] = weights_of(character.mesh, node ? *node : -1);
+  }
+  if (!found) return bad_input("--joint {}: {}", joint, unknown ? unknown->message : "the scene has no character");
+  return shown;
+}
+
 }  // namespace
 
-FrameMaker::FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds)
-    : renderer_(std::move(renderer)), stage_(&stage), look_(look), bounds_(bounds) {}
+FrameMaker::FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds,
+                       double floor)
+    : renderer_(std::move(renderer)), stage_(&stage), look_(look), bounds_(bounds), floor_(floor) {}
 
 Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const SceneOptions& scene,
                                       const LookOptions& look, std::vector<std::string>& problems) {
-  auto renderer = Renderer::create(device, {look.size.width, look.size.height, look.samples});
+  auto renderer = Renderer::create(device, {look.size.width, look.size.height, look.samples, look.wire});
   if (!renderer) return pass_on(std::move(renderer));
   const GpuDeformerOptions options{.deformer = scene.deformer, .bulge = scene.bulge};
-  for (const StagedCharacter& c : stage.characters)
-    if (auto ok = renderer->add_character(*c.model, c.mesh, c.rest, c.muscles, options, problems); !ok)
+  auto weights = shown_weights(stage, look);
+  if (!weights) return pass_on(std::move(weights));
+  for (std::size_t i = 0; i < stage.characters.size(); ++i) {
+    const StagedCharacter& c = stage.characters[i];
+    if (auto ok = renderer->add_character(*c.model, c.mesh, c.rest, c.muscles, options, {(*weights)[i]}, problems); !ok)
       return pass_on(std::move(ok));
-  return FrameMaker(std::move(*renderer), stage, look, stage_bounds(stage));
+  }
+  const Bounds rest = rest_bounds(stage);
+  return FrameMaker(std::move(*renderer), stage, look, stage_bounds(stage), rest.empty() ? 0.0 : rest.low.y);
 }
 
 Result<Picture> FrameMaker::picture(int frame) { return picture(frame, shot(frame)); }
@@ -90,6 +127,9 @@ Shot FrameMaker::shot(int frame, double orbit) const {
   shot.shading = look_.shading.value_or(stage_->scene.look.shading);
   shot.background = background_words(look_.background.value_or(stage_->scene.look.background));
   shot.largest_bulge = largest_bulge(*stage_);
+  shot.scene = bounds_;
+  shot.shadows = look_.shadows.value_or(stage_->scene.look.shadows);
+  if (look_.floor.value_or(stage_->scene.look.floor)) shot.floor = floor_;
   return shot;
 }
 

@@ -13,7 +13,10 @@ struct LookOptions {
   std::optional<View> view;     ///< in place of the scene's whole camera
   std::optional<double> orbit;  ///< degrees, counter-clockwise seen from above
   std::optional<Shading> shading;
+  std::string joint;  ///< whose weights are shown; empty: the scene's
+  std::optional<bool> shadows, floor;
   std::optional<Colour> background;
+  WireMode wire = WireMode::none;
 };
 
 /// Makes the pictures of a stage. Stage and device must outlive it.
@@ -37,12 +40,13 @@ class FrameMaker {
 
  private:
   Viewpoint viewpoint(int frame, double orbit) const;
-  FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds);
+  FrameMaker(Renderer renderer, const Stage& stage, const LookOptions& look, const Bounds& bounds, double floor);
 
   Renderer renderer_;
   const Stage* stage_;
   LookOptions look_;
   Bounds bounds_;
+  double floor_ = 0.0;  ///< height of the rest pose's lowest point
 };
 
 }  // namespace sinew

@@ -80,7 +80,10 @@ std::string content_hash(Sha256& hash, const Model& model) {
     for (const Primitive& primitive : mesh.primitives) {
       hash.add_all(primitive.positions);
       hash.add_all(primitive.normals);
+      hash.add_all(primitive.tangents);
       hash.add_all(primitive.texture_coordinates);
+      hash.add_all(primitive.second_texture_coordinates);
+      hash.add_all(primitive.colours);
       hash.add_all(primitive.indices);
       hash.add_all(primitive.influences.first);
       for (const Influence& influence : primitive.influences.entries)
@@ -282,8 +285,6 @@ Result<Stage> open_stage(const SceneOptions& options) {
   Stage stage;
   stage.source = options.scene.empty() ? "the embedded scene" : options.scene;
   stage.scene = std::move(opened->scene);
-  if (stage.scene.look.shading == Shading::weights)
-    stage.problems.push_back(fmt::format("{}: /look/shading: \"weights\" is not shown yet", stage.source));
   if (stage.scene.library) stage.problems.push_back(fmt::format("{}: \"library\" is not used yet", stage.source));
   stage.is_scene = !opened->bare_model;
   stage.strength = options.strength;

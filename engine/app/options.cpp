@@ -59,11 +59,11 @@ Result<BulgeMode> parse_bulge(std::string_view text) { return parse_word<BulgeMo
 
 Result<View> parse_view(std::string_view text) { return parse_word<View>("--view", text, view_names()); }
 
-Result<Shading> parse_shading(std::string_view text) {
-  auto shading = parse_word<Shading>("--shading", text, shading_names());
-  if (shading && *shading == Shading::weights)
-    return failure(ErrorKind::usage, "--shading weights: does not exist yet");
-  return shading;
+Result<Shading> parse_shading(std::string_view text) { return parse_word<Shading>("--shading", text, shading_names()); }
+
+Result<bool> parse_switch(const char* option, std::string_view text) {
+  constexpr std::array<std::string_view, 2> words{"off", "on"};
+  return parse_word<bool>(option, text, words);
 }
 
 Result<Colour> parse_background(std::string_view text) {

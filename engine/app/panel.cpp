@@ -60,14 +60,16 @@ Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& joint) {
 Result<PanelMaker> PanelMaker::create(Device& device, const Stage& stage, const SceneOptions& scene,
                                       const LookOptions& look, const FigureOptions& figure,
                                       std::vector<std::string>& problems) {
-  auto main = FrameMaker::create(device, stage, scene, look, problems);
+  LookOptions whole_look = look;
+  whole_look.wire = figure.overlay.wire;
+  auto main = FrameMaker::create(device, stage, scene, whole_look, problems);
   if (!main) return pass_on(std::move(main));
   PanelMaker panel(stage, std::move(*main), scene, figure);
   if (figure.zoom.empty()) return panel;
   auto zoom = find_zoom(stage, figure.zoom);
   if (!zoom) return pass_on(std::move(zoom));
   panel.zoom_ = *zoom;
-  LookOptions near_look = look;
+  LookOptions near_look = whole_look;
   const int side = static_cast<int>(inset_share * std::min(look.size.width, look.size.height));
   near_look.size = {std::max(side, 1), std::max(side, 1)};
   std::vector<std::string> repeated;
@@ -111,7 +113,7 @@ Result<Picture> PanelMaker::inset(int frame, double orbit, const Font* font) {
   shot.viewpoint.near_plane = 0.02 * distance;
   shot.viewpoint.far_plane += glm::length(moved) + distance;
   auto picture = near_->picture(frame, shot);
-  if (picture && figure_.overlay.any())
+  if (picture && figure_.overlay.painted())
     if (auto ok = draw_overlay(*picture, font, shot.viewpoint, content(frame)); !ok) return pass_on(std::move(ok));
   return picture;
 }
@@ -120,7 +122,7 @@ Result<Picture> PanelMaker::picture(int frame, double orbit, const Font* font) {
   const Shot shot = main_.shot(frame, orbit);
   auto picture = main_.picture(frame, shot);
   if (!picture) return picture;
-  if (figure_.overlay.any())
+  if (figure_.overlay.painted())
     if (auto ok = draw_overlay(*picture, font, shot.viewpoint, content(frame)); !ok) return pass_on(std::move(ok));
   if (!near_) return picture;
   auto near = inset(frame, orbit, font);

@@ -18,6 +18,9 @@ Recipe::Recipe(const Stage& stage, const SceneOptions& scene, const LookOptions&
   if (look.view) json["view"] = view_names()[static_cast<std::size_t>(*look.view)];
   if (look.orbit) json["orbit"] = *look.orbit;
   if (look.shading) json["shading"] = shading_names()[static_cast<std::size_t>(*look.shading)];
+  if (!look.joint.empty()) json["joint"] = look.joint;
+  if (look.shadows) json["shadows"] = *look.shadows;
+  if (look.floor) json["floor"] = *look.floor;
   if (look.background) json["background"] = colour_text(*look.background);
   json["figure"] = figure;
   json["version"] = version();

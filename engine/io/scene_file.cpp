@@ -53,10 +53,15 @@ Colour read_colour(const JsonValue& value) {
 }
 
 Look read_look(const JsonValue& value) {
-  static const std::vector<std::string> known{"shading", "background"};
+  static const std::vector<std::string> known{"shading", "joint", "shadows", "floor", "background"};
   Look look;
   if (!value.expect_object(known)) return look;
   if (const auto shading = value.find("shading")) look.shading = static_cast<Shading>(shading->word(shading_names()));
+  if (const auto joint = value.find("joint")) look.joint = joint->text("a joint's name");
+  if (const auto shadows = value.find("shadows")) look.shadows = shadows->flag();
+  if (const auto floor = value.find("floor")) look.floor = floor->flag();
+  if (look.shading == Shading::weights && look.joint.empty())
+    value.require("joint", "the joint whose weights are shown");
   if (const auto background = value.find("background")) look.background = read_colour(*background);
   return look;
 }

@@ -153,9 +153,13 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   for (const Character& character : scene.characters)
     document["characters"].push_back(character_to_json(character, folder));
   if (scene.camera != Camera{}) document["camera"] = camera_to_json(scene.camera);
-  if (scene.look != Look{})
-    document["look"] = {{"shading", word(scene.look.shading, shading_names())},
-                        {"background", colour_text(scene.look.background)}};
+  if (const Look& look = scene.look; look != Look{}) {
+    document["look"] = {{"shading", word(look.shading, shading_names())},
+                        {"shadows", look.shadows},
+                        {"floor", look.floor},
+                        {"background", colour_text(look.background)}};
+    if (!look.joint.empty()) document["look"]["joint"] = look.joint;
+  }
   return readable_json(document);
 }
 
