@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of the whole picture, that what is drawn covers. An empty picture has 0, a black or filled one 1.
+constexpr double least_covered = 0.03, most_covered = 0.2;
+
 struct GoldenPicture {
   std::string name;
   Arguments arguments;
@@ -27,11 +30,15 @@ struct GoldenPicture {
   double flip = 0.002;
   /// Colours of what is drawn, at least: light, texture and smooth normals make hundreds. A silhouette has one.
   std::size_t colours = 300;
+  /// Of the whole picture, that what is drawn covers at most: the arm takes 0.04 to 0.1 in these views.
+  double covered = most_covered;
 };
 
-/// Of the whole picture, that what is drawn covers: the arm takes 0.04 to 0.1 in these views. An empty picture has 0, a
-/// black or filled one 1.
-constexpr double least_covered = 0.03, most_covered = 0.2;
+/// The floor is seen where it is shaded: soft shadows are a good deal wider than what throws them.
+GoldenPicture on_floor(std::string name, Arguments arguments) {
+  arguments.insert(arguments.end(), {"--floor", "on"});
+  return {.name = std::move(name), .arguments = std::move(arguments), .covered = 0.6};
+}
 
 /// For the name of a test that fails.
 std::ostream& operator<<(std::ostream& stream, const GoldenPicture& golden) { return stream << golden.name; }
@@ -51,17 +58,24 @@ const std::vector<GoldenPicture> goldens{
     {"view_three_quarter", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "three-quarter"}},
     {"orbit", {"--frame", "30", "--orbit", "20"}},
     {"twisted", {"--frame", "0", "--pose", "leftLowerArm=60,-70,0"}},
-    // Without light, the texture's colours alone.
-    {.name = "shading_flat", .arguments = {"--frame", "40", "--shading", "flat"}, .colours = 20},
+    {"shading_flat", {"--frame", "40", "--shading", "flat"}},
     {"shading_clay", {"--frame", "40", "--shading", "clay"}},
     {"shading_normals", {"--frame", "40", "--shading", "normals"}},
     {"shading_bulge", {"--frame", "40", "--shading", "bulge"}},
+    {"shading_weights", {"--frame", "40", "--shading", "weights", "--joint", "leftLowerArm"}},
     // An arm is not deep: three dozen greys.
     {.name = "shading_depth", .arguments = {"--frame", "40", "--shading", "depth"}, .colours = 20},
     // Four samples a pixel put silhouettes between two colours, where a sample that flips changes a quarter of the
     // difference; the share stays as it is, since no more pixels are touched.
     {"smooth_edges", {"--frame", "40", "--samples", "4"}},
     {"transparent", {"--frame", "40", "--background", "transparent"}},
+    {"without_shadows", {"--frame", "40", "--shadows", "off"}},
+    on_floor("floor", {"--frame", "40"}),
+    on_floor("floor_from_above", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "three-quarter"}),
+    on_floor("floor_without_shadows", {"--frame", "40", "--shadows", "off"}),
+    // Lines are drawn with soft edges, whose shares of a pixel are rounded to 255ths before they are blended.
+    {"wire", {"--frame", "40", "--overlay", "wire"}},
+    {"wire_all", {"--frame", "40", "--overlay", "wire-all"}},
 };
 
 fs::path golden_file(const std::string& name) { return fs::path(SINEW_SOURCE_DIR) / "tests/golden" / (name + ".png"); }
@@ -69,6 +83,8 @@ fs::path golden_file(const std::string& name) { return fs::path(SINEW_SOURCE_DIR
 Arguments render_words(const Arguments& more, const fs::path& output) {
   Arguments all{"render", "--size", "480x270"};
   all.insert(all.end(), more.begin(), more.end());
+  // Only what is drawn stands out from a background of one colour.
+  if (std::ranges::find(more, "--floor") == more.end()) all.insert(all.end(), {"--floor", "off"});
   all.insert(all.end(), {"-o", output.string()});
   return all;
 }
@@ -100,7 +116,7 @@ void expect_something_drawn(const fs::path& file, const GoldenPicture& golden) {
   EXPECT_EQ(png->height, 270) << file;
   const Drawn found = drawn(*png, std::ranges::find(golden.arguments, "transparent") != golden.arguments.end());
   EXPECT_GE(found.covered, least_covered) << file;
-  EXPECT_LE(found.covered, most_covered) << file;
+  EXPECT_LE(found.covered, golden.covered) << file;
   EXPECT_GE(found.colours, golden.colours) << file;
 }
 
@@ -180,6 +196,9 @@ const std::vector<Mutant> mutants{
     {{"--frame", "47"}, {"--frame", "47", "--shading", "normals"}},
     {{"--frame", "47"}, {"--frame", "47", "--shading", "clay"}},
     {{"--frame", "47"}, {"--frame", "47", "--background", "#d0d0d0"}},
+    {{"--frame", "40"}, {"--frame", "40", "--shadows", "off"}},
+    {{"--frame", "40", "--floor", "on"}, {"--frame", "40", "--floor", "on", "--shadows", "off"}},
+    {{"--frame", "40", "--overlay", "wire"}, {"--frame", "40", "--overlay", "wire-all"}},
     {{"--frame", "47"}, {"--frame", "47", "--background", "transparent"}},
     {{"--frame", "24"}, {"--frame", "23"}},
     // How high the muscle stands is what this shading shows; light on the skin hides a fifth of it.
