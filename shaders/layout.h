@@ -138,7 +138,7 @@ struct FrameUniforms {
   vec4 depth_range;  // nearest, farthest distance that the depth shading spreads over; largest bulge height; unused
   vec4 floor_centre;  // x, y, z; distance at which shadows have faded
   vec4 floor_size;    // half its length along x, along z; unused
-  vec4 shadow;       // world length of a texel of the shadow map; reach of the contact shadow as a share of its map; unused
+  vec4 shadow;       // world length of a texel of the shadow map; reach of the contact shadow as a share of its map; 1 where the key light throws shadows
   vec4 picture;      // width and height, pixels; width of a wire, pixels; unused
 };
 

@@ -111,7 +111,12 @@ class Bench {
     if (!png) return pass_on(std::move(png));
     write_.push_back(milliseconds([&] { ok = write_file(captures_.file("stage.png"), *png); }));
     if (!ok) return ok;
-    return time_pair(i, frame);
+    const auto whole = milliseconds([&] {
+      if (auto drawn = with_.picture(frame); !drawn) ok = pass_on(std::move(drawn));
+    });
+    frame_.push_back(whole);
+    if (!ok) return ok;
+    return time_pair(i, frame, shot);
   }
 
   /// Frames into files, and how near that comes to what the stages allow.
@@ -145,11 +150,13 @@ class Bench {
     return ok;
   }
 
-  /// A whole frame with the bulge and one without.
-  Result<void> time_pair(int i, int frame) {
+  /// A whole frame with the bulge and one without, both without shadows, as the rates that it is told by are.
+  Result<void> time_pair(int i, int frame, Shot shot) {
+    shot.shadows = false;
+    shot.floor.reset();
     Result<Picture> picture;
-    const auto with = [&] { with_ms_.push_back(milliseconds([&] { picture = with_.picture(frame); })); };
-    const auto without = [&] { without_ms_.push_back(milliseconds([&] { picture = without_.picture(frame); })); };
+    const auto with = [&] { with_ms_.push_back(milliseconds([&] { picture = with_.picture(frame, shot); })); };
+    const auto without = [&] { without_ms_.push_back(milliseconds([&] { picture = without_.picture(frame, shot); })); };
     if (i % 2 == 0) with();
     if (picture) without();
     if (picture && i % 2 != 0) with();
@@ -158,8 +165,8 @@ class Bench {
   }
 
   void forget() {
-    for (auto* times :
-         {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &write_, &with_ms_, &without_ms_})
+    for (auto* times : {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &write_, &frame_,
+                        &with_ms_, &without_ms_})
       times->clear();
   }
 
@@ -177,7 +184,7 @@ class Bench {
     r.readback = timing(readback_);
     r.encode = timing(encode_);
     r.write = timing(write_);
-    r.frame = timing(with_ms_);
+    r.frame = timing(frame_);
     std::vector<double> ratios, costs;
     for (std::size_t i = 0; i < deform_.size(); ++i) ratios.push_back(deform_[i] / deform_bare_[i]);
     for (std::size_t i = 0; i < with_ms_.size(); ++i) costs.push_back(with_ms_[i] / without_ms_[i] - 1.0);
@@ -196,7 +203,8 @@ class Bench {
   CaptureBench captures_;
   FrameMaker with_, without_;
   std::vector<GpuDeformer> bare_;
-  std::vector<double> pose_, upload_, deform_, deform_bare_, draw_, readback_, encode_, write_, with_ms_, without_ms_;
+  std::vector<double> pose_, upload_, deform_, deform_bare_, draw_, readback_, encode_, write_, frame_, with_ms_,
+      without_ms_;
 };
 
 }  // namespace

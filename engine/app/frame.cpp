@@ -125,11 +125,13 @@ Shot FrameMaker::shot(int frame, double orbit) const {
   Shot shot;
   shot.viewpoint = viewpoint(frame, orbit);
   shot.shading = look_.shading.value_or(stage_->scene.look.shading);
-  shot.background = background_words(look_.background.value_or(stage_->scene.look.background));
+  const Colour background = look_.background.value_or(stage_->scene.look.background);
+  shot.background = background_words(background);
   shot.largest_bulge = largest_bulge(*stage_);
   shot.scene = bounds_;
   shot.shadows = look_.shadows.value_or(stage_->scene.look.shadows);
-  if (look_.floor.value_or(stage_->scene.look.floor)) shot.floor = floor_;
+  const std::optional<bool> floor = look_.floor ? look_.floor : stage_->scene.look.floor;
+  if (floor.value_or(background.alpha != 0)) shot.floor = floor_;
   return shot;
 }
 

@@ -156,8 +156,8 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   if (const Look& look = scene.look; look != Look{}) {
     document["look"] = {{"shading", word(look.shading, shading_names())},
                         {"shadows", look.shadows},
-                        {"floor", look.floor},
                         {"background", colour_text(look.background)}};
+    if (look.floor) document["look"]["floor"] = *look.floor;
     if (!look.joint.empty()) document["look"]["joint"] = look.joint;
   }
   return readable_json(document);

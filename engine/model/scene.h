@@ -112,7 +112,7 @@ struct Look {
   Shading shading = Shading::lit;
   std::string joint;                          ///< whose weights Shading::weights shows; empty elsewhere
   bool shadows = true;                        ///< the key light throws shadows
-  bool floor = true;                          ///< shadows fall on a floor under the characters
+  std::optional<bool> floor;                  ///< shadows fall on a floor; absent: unless the background is transparent
   Colour background{0xd8, 0xd8, 0xd8, 0xff};  ///< alpha 0: transparent
 
   bool operator==(const Look&) const = default;

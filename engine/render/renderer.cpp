@@ -36,7 +36,7 @@ layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, con
   u.depth_range = word({camera.near_plane, camera.far_plane, shot.largest_bulge});
   u.floor_centre = word(studio.floor_centre, studio.fading_distance);
   u.floor_size = word({studio.floor_half_size.x, studio.floor_half_size.y, 0.0});
-  u.shadow = word({studio.shadow_width / maps.light.side, studio.contact_reach, 0.0});
+  u.shadow = word({studio.shadow_width / maps.light.side, studio.contact_reach, shot.shadows ? 1.0 : 0.0});
   u.picture = word({double(target.width), double(target.height), std::max(wire_width * target.height / 720.0, 1.0)});
   return u;
 }
@@ -159,7 +159,7 @@ void Renderer::Impl::record_deform(const vk::raii::CommandBuffer& commands) cons
 
 void Renderer::Impl::record_shadows(const vk::raii::CommandBuffer& commands, const Shot& shot) {
   if (!has_materials(shot.shading)) return;
-  if (shot.shadows || shot.floor) {
+  if (shot.shadows) {
     shadow_maps.light.begin(commands);
     record_parts(commands, DrawPass::light, shot);
     shadow_maps.light.end(commands);

@@ -151,9 +151,10 @@ TEST_F(Render, BackgroundIsTheColour) {
 }
 
 TEST_F(Render, TransparentIsOutsideAndOnlyThere) {
+  // A floor would shade the other two: only a transparent picture has none unless it is asked for.
   const DecodedPng clear = picture(render("clear.png", {"--background", "transparent"}));
-  const DecodedPng solid = picture(render("solid.png", {"--background", "#00ff00"}));
-  const DecodedPng black = picture(render("black.png", {"--background", "black"}));
+  const DecodedPng solid = picture(render("solid.png", {"--background", "#00ff00", "--floor", "off"}));
+  const DecodedPng black = picture(render("black.png", {"--background", "black", "--floor", "off"}));
   std::size_t outside = 0;
   for (std::size_t i = 0; i < clear.rgba.size(); i += 4) {
     const auto same = [&](const DecodedPng& png, std::array<unsigned char, 3> colour) {
@@ -166,6 +167,22 @@ TEST_F(Render, TransparentIsOutsideAndOnlyThere) {
   }
   EXPECT_GT(outside, clear.rgba.size() / 4 / 3);
   EXPECT_LT(outside, clear.rgba.size() / 4);
+}
+
+TEST_F(Render, TransparentFloorIsShadeAlone) {
+  const DecodedPng clear = picture(render("clear.png", {"--background", "transparent"}));
+  const DecodedPng floor = picture(render("floor.png", {"--background", "transparent", "--floor", "on"}));
+  std::size_t shaded = 0;
+  for (std::size_t i = 0; i < clear.rgba.size(); i += 4) {
+    if (clear.rgba[i + 3] != 0) {
+      EXPECT_TRUE(std::equal(&clear.rgba[i], &clear.rgba[i] + 4, &floor.rgba[i])) << "pixel " << i / 4;
+    } else if (floor.rgba[i + 3] != 0) {
+      ++shaded;
+      EXPECT_EQ(floor.rgba[i] + floor.rgba[i + 1] + floor.rgba[i + 2], 0) << "pixel " << i / 4;
+      EXPECT_LT(floor.rgba[i + 3], 255) << "pixel " << i / 4;
+    }
+  }
+  EXPECT_GT(shaded, clear.rgba.size() / 4 / 100);
 }
 
 TEST_F(Render, ShadingsDiffer) {

@@ -41,7 +41,7 @@ const std::string everything = R"({ "sinew": 1, "fps": 29.97, "frames": [10, 10]
       "emotion": [[12, "laugh", 1], [40, "fear", 0.25]] },
     { "model": "../models/man.glb", "clip": "none", "motion": "run.bvh", "turn": -45, "position": [1, 2, 3] } ],
   "camera": { "view": "three-quarter", "orbit": [[0, 0], [47, 360]], "target": [0, 1, 0], "distance": 2.5 },
-  "look": { "shading": "bulge", "background": "transparent" } })";
+  "look": { "shading": "weights", "joint": "elbow", "shadows": false, "floor": true, "background": "transparent" } })";
 
 Scene parsed(const std::string& text, const fs::path& folder = "/scenes") {
   auto scene = parse_scene(text, "test.json", folder);
@@ -119,7 +119,19 @@ TEST(SceneFile, ReadsWhatIsLessUsual) {
   EXPECT_EQ(man.turn, Keyed<double>::constant(-45));
   EXPECT_EQ(scene.library, "/data/motions.db");
   EXPECT_EQ(scene.camera.orbit.value_at(23.5), 180);
+  EXPECT_EQ(scene.look.shading, Shading::weights);
+  EXPECT_EQ(scene.look.joint, "elbow");
+  EXPECT_FALSE(scene.look.shadows);
+  EXPECT_EQ(scene.look.floor, true);
   EXPECT_EQ(scene.look.background.alpha, 0);
+}
+
+TEST(SceneFile, WeightsNeedAJoint) {
+  const auto scene = parse_scene(R"({"sinew": 1, "characters": [{"model": "a.glb"}], "look": {"shading": "weights"}})",
+                                 "x.json", "/scenes");
+  ASSERT_FALSE(scene);
+  EXPECT_NE(scene.error().message.find("/look"), std::string::npos) << scene.error().message;
+  EXPECT_NE(scene.error().message.find("joint"), std::string::npos) << scene.error().message;
 }
 
 TEST(SceneFile, LeavesDefaultsWhereNothingIsSaid) {
