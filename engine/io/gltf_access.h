@@ -21,6 +21,9 @@ struct Numbers {
   std::span<const double> at(std::size_t i) const { return {values.data() + i * width, width}; }
   Vec3 vec3(std::size_t i) const { return {values[i * width], values[i * width + 1], values[i * width + 2]}; }
   bool finite(std::size_t i) const;  ///< all numbers of element i
+  /// How far from 1 the length of a unit vector may be. Small integers cannot hold one better than 2e-2 (glTF's
+  /// KHR_mesh_quantization: 8 bits).
+  double unit_tolerance() const { return integer ? 2e-2 : 1e-3; }
 };
 
 /// What a property accepts: a tinygltf type (TINYGLTF_TYPE_VEC3) and component types, and the words for both.

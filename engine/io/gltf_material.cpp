@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <limits>
 
 #include "engine/io/gltf_schema.h"
 
@@ -17,17 +17,16 @@ Wrap wrap_of(int mode) {
   return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
 }
 
-/// A list of exactly N finite numbers that floats can hold; false where there is none.
-template <std::size_t N>
-bool numbers_at(const json* value, std::array<double, N>& numbers) {
-  if (value == nullptr || !value->is_array() || value->size() != N) return false;
-  for (std::size_t i = 0; i < N; ++i) {
-    const double x = (*value)[i].is_number() ? (*value)[i].template get<double>() : INFINITY;
-    if (!(std::abs(x) < 1e30)) return false;
-    numbers[i] = x;
-  }
-  return true;
-}
+/// Floats hold these numbers and their products with each other.
+constexpr double greatest_number = 1e15;
+/// Of KHR_materials_emissive_strength, which knows no bound: a picture's white is 1.
+constexpr double greatest_strength = 1e6;
+/// Of a specular colour, which knows no bound either: 4 % of it is all the light there is.
+constexpr double greatest_specular = 25.0;
+/// One more than the highest n of a TEXCOORD_n that a texture may ask for.
+constexpr std::size_t sets_to_choose_from = std::numeric_limits<int>::max();
+
+constexpr const char* specular_glossiness = "KHR_materials_pbrSpecularGlossiness";
 
 /// A reference written in an extension, which conform() does not see; -1 where it is none.
 int index_at(const json* value, std::size_t size) {
@@ -51,10 +50,9 @@ class MaterialReader {
     material.alpha_cutoff = from_.alphaCutoff;
     if (from_.alphaMode == "MASK") material.alpha_mode = AlphaMode::mask;
     if (from_.alphaMode == "BLEND") material.alpha_mode = AlphaMode::blend;
-    material.unlit = find(source_, {"extensions", "KHR_materials_unlit"}) != nullptr;
-    if (find(source_, {"pbrMetallicRoughness"}) == nullptr &&
-        find(source_, {"extensions", "KHR_materials_pbrSpecularGlossiness"}) != nullptr)
-      read_specular_glossiness();
+    material.unlit = extension("KHR_materials_unlit") != nullptr;
+    if (find(source_, {"pbrMetallicRoughness"}) == nullptr && extension(specular_glossiness) != nullptr)
+      read_specular_glossiness(*extension(specular_glossiness));
     else
       read_metallic_roughness();
     read_relief();
@@ -70,48 +68,52 @@ class MaterialReader {
     const tinygltf::PbrMetallicRoughness& from = from_.pbrMetallicRoughness;
     const auto& factor = from.baseColorFactor;
     material.base_colour =
-        clamped_colour({factor[0], factor[1], factor[2], factor[3]}, "pbrMetallicRoughness/baseColorFactor");
-    material.metallic = clamped(from.metallicFactor, "pbrMetallicRoughness/metallicFactor");
-    material.roughness = clamped(from.roughnessFactor, "pbrMetallicRoughness/roughnessFactor");
+        clamped_colour({factor[0], factor[1], factor[2], factor[3]}, place_ + "/pbrMetallicRoughness/baseColorFactor");
+    material.metallic = clamped(from.metallicFactor, place_ + "/pbrMetallicRoughness/metallicFactor");
+    material.roughness = clamped(from.roughnessFactor, place_ + "/pbrMetallicRoughness/roughnessFactor");
     material.base_colour_texture = texture({"pbrMetallicRoughness", "baseColorTexture"});
     material.metallic_roughness_texture = texture({"pbrMetallicRoughness", "metallicRoughnessTexture"});
   }
 
   /// KHR_materials_pbrSpecularGlossiness, archived but met in older files: its diffuse colour is our base colour, what
-  /// is not glossy is rough, and its specular colour is taken for that of what is no metal.
-  void read_specular_glossiness() {
-    const char* name = "KHR_materials_pbrSpecularGlossiness";
-    const json& extension = *find(source_, {"extensions", name});
+  /// is not glossy is rough. The colour that it mirrors is not read: most such files give it by a texture.
+  void read_specular_glossiness(const json& from) {
+    const std::string place = extension_place(specular_glossiness);
     material.metallic = 0.0;
-    std::array<double, 4> factor{};
-    if (numbers_at(find(extension, {"diffuseFactor"}), factor))
-      material.base_colour = clamped_colour(factor, "diffuseFactor");
-    material.base_colour_texture = texture({"extensions", name, "diffuseTexture"});
-    material.roughness = 1.0 - clamped(number(extension, "glossinessFactor", 1.0), "glossinessFactor");
+    std::array<double, 4> factor{1.0, 1.0, 1.0, 1.0};
+    numbers(from, place, "diffuseFactor", "four numbers", factor);
+    material.base_colour = clamped_colour(factor, place + "/diffuseFactor");
+    material.base_colour_texture = texture({"extensions", specular_glossiness, "diffuseTexture"});
+    material.roughness = 1.0 - clamped(number(from, place, "glossinessFactor", 1.0), place + "/glossinessFactor");
   }
 
   void read_relief() {
     material.normal_texture = texture({"normalTexture"});
     material.normal_scale = from_.normalTexture.scale;
     material.occlusion_texture = texture({"occlusionTexture"});
-    material.occlusion_strength = clamped(from_.occlusionTexture.strength, "occlusionTexture/strength");
+    material.occlusion_strength = clamped(from_.occlusionTexture.strength, place_ + "/occlusionTexture/strength");
   }
 
   void read_emission() {
     if (from_.emissiveFactor.size() == 3)
-      for (int i = 0; i < 3; ++i) material.emissive[i] = clamped(from_.emissiveFactor[i], "emissiveFactor");
-    if (const json* extension = find(source_, {"extensions", "KHR_materials_emissive_strength"}))
-      material.emissive *= std::clamp(number(*extension, "emissiveStrength", 1.0), 0.0, 1e6);
+      for (int i = 0; i < 3; ++i) material.emissive[i] = clamped(from_.emissiveFactor[i], place_ + "/emissiveFactor");
+    const char* name = "KHR_materials_emissive_strength";
+    if (const json* from = extension(name))
+      material.emissive *= clamped(number(*from, extension_place(name), "emissiveStrength", 1.0),
+                                   extension_place(name) + "/emissiveStrength", greatest_strength);
     material.emissive_texture = texture({"emissiveTexture"});
   }
 
   void read_specular() {
-    const json* extension = find(source_, {"extensions", "KHR_materials_specular"});
-    if (extension == nullptr) return;
-    material.specular = clamped(number(*extension, "specularFactor", 1.0), "KHR_materials_specular/specularFactor");
-    std::array<double, 3> colour{};
-    if (numbers_at(find(*extension, {"specularColorFactor"}), colour))
-      material.specular_colour = glm::clamp(Vec3(colour[0], colour[1], colour[2]), 0.0, 25.0);
+    const char* name = "KHR_materials_specular";
+    const json* from = extension(name);
+    if (from == nullptr) return;
+    const std::string place = extension_place(name);
+    material.specular = clamped(number(*from, place, "specularFactor", 1.0), place + "/specularFactor");
+    std::array<double, 3> colour{1.0, 1.0, 1.0};
+    numbers(*from, place, "specularColorFactor", "three numbers", colour);
+    for (int i = 0; i < 3; ++i)
+      material.specular_colour[i] = clamped(colour[i], place + "/specularColorFactor", greatest_specular);
   }
 
   /// The texture that is described at a chain of keys of the material, or none. conform() has checked what lies outside
@@ -130,7 +132,7 @@ class MaterialReader {
     if (from.source < 0) document_.problem("{}: textures/{} has no PNG or JPEG image; drawn without it", place, index);
     texture.image = from.source;
     read_sampler(from, texture);
-    int set = std::max(index_at(find(*info, {"texCoord"}), 64), 0);
+    int set = std::max(index_at(find(*info, {"texCoord"}), sets_to_choose_from), 0);
     read_transform(*info, place, texture, set);
     choose_coordinates(set, place, texture);
     return texture;
@@ -145,26 +147,24 @@ class MaterialReader {
   }
 
   void read_transform(const json& info, const std::string& place, Texture& texture, int& set) {
-    const json* transform = find(info, {"extensions", "KHR_texture_transform"});
+    const char* name = "KHR_texture_transform";
+    const json* transform = extension(info, name, place);
     if (transform == nullptr) return;
+    const std::string at = fmt::format("{}/extensions/{}", place, name);
     const auto pair = [&](const char* key, Vec2& to) {
-      const json* value = find(*transform, {key});
-      std::array<double, 2> numbers{};
-      if (value == nullptr) return;
-      if (numbers_at(value, numbers))
-        to = {numbers[0], numbers[1]};
-      else
-        document_.problem("{}/extensions/KHR_texture_transform/{}: must be two numbers; ignored", place, key);
+      std::array<double, 2> two{to.x, to.y};
+      numbers(*transform, at, key, "two numbers", two);
+      to = {two[0], two[1]};
     };
     pair("offset", texture.offset);
     pair("scale", texture.scale);
-    if (const json* rotation = find(*transform, {"rotation"})) {
-      if (rotation->is_number() && std::abs(rotation->get<double>()) < 1e6)
-        texture.rotation = rotation->get<double>();
-      else
-        document_.problem("{}/extensions/KHR_texture_transform/rotation: must be an angle in radians; ignored", place);
-    }
-    if (const int other = index_at(find(*transform, {"texCoord"}), 64); other >= 0) set = other;
+    texture.rotation = number(*transform, at, "rotation", 0.0);
+    const json* other = find(*transform, {"texCoord"});
+    if (other == nullptr) return;
+    if (const int chosen = index_at(other, sets_to_choose_from); chosen >= 0)
+      set = chosen;
+    else
+      document_.problem("{}/texCoord: must be a whole number from 0 on; ignored", at);
   }
 
   void choose_coordinates(int set, const std::string& place, Texture& texture) {
@@ -180,26 +180,51 @@ class MaterialReader {
     texture = {};
   }
 
-  Vec4 clamped_colour(const std::array<double, 4>& c, const char* property) {
+  /// `property` with its place in the file.
+  Vec4 clamped_colour(const std::array<double, 4>& c, const std::string& property) {
     const Vec4 colour(c[0], c[1], c[2], c[3]);
     const Vec4 clamped = glm::clamp(colour, 0.0, 1.0);
-    if (colour != clamped) document_.problem("{}/{}: a colour outside 0 to 1; clamped", place_, property);
+    if (colour != clamped) document_.problem("{}: a colour outside 0 to 1; clamped", property);
     return clamped;
   }
 
-  double clamped(double value, const char* property) {
-    if (value < 0.0 || value > 1.0)
-      document_.problem("{}/{}: {:.4g} lies outside 0 to 1; clamped", place_, property, value);
-    return std::clamp(value, 0.0, 1.0);
+  double clamped(double value, const std::string& property, double high = 1.0) {
+    if (value < 0.0 || value > high)
+      document_.problem("{}: {:.4g} lies outside 0 to {:.6g}; clamped", property, value, high);
+    return std::clamp(value, 0.0, high);
+  }
+
+  std::string extension_place(const char* name) const { return fmt::format("{}/extensions/{}", place_, name); }
+  const json* extension(const char* name) { return extension(source_, name, place_); }
+
+  /// What an extension says of a part of the material, `place` being the part's; nullptr where it says nothing.
+  const json* extension(const json& part, const char* name, const std::string& place) {
+    const json* value = find(part, {"extensions", name});
+    if (value == nullptr || value->is_object()) return value;
+    document_.problem("{}/extensions/{}: must be an object; ignored", place, name);
+    return nullptr;
   }
 
   /// A number of an extension, which conform() does not see.
-  double number(const json& extension, const char* key, double otherwise) {
-    const json* value = find(extension, {key});
+  double number(const json& from, const std::string& place, const char* key, double otherwise) {
+    const json* value = find(from, {key});
     if (value == nullptr) return otherwise;
-    if (value->is_number() && std::abs(value->get<double>()) < 1e30) return value->get<double>();
-    document_.problem("{}: {} must be a number; ignored", place_, key);
+    if (value->is_number() && std::abs(value->get<double>()) < greatest_number) return value->get<double>();
+    document_.problem("{}/{}: must be a number; ignored", place, key);
     return otherwise;
+  }
+
+  /// Likewise a list of numbers; `to` stays where there is none.
+  template <std::size_t N>
+  void numbers(const json& from, const std::string& place, const char* key, const char* words,
+               std::array<double, N>& to) {
+    const json* value = find(from, {key});
+    if (value == nullptr) return;
+    const bool good = value->is_array() && value->size() == N && std::ranges::all_of(*value, [](const json& x) {
+                        return x.is_number() && std::abs(x.template get<double>()) < greatest_number;
+                      });
+    if (!good) return document_.problem("{}/{}: must be {}; ignored", place, key, words);
+    for (std::size_t i = 0; i < N; ++i) to[i] = (*value)[i].template get<double>();
   }
 
   Document& document_;
@@ -208,34 +233,6 @@ class MaterialReader {
   std::string place_;
   bool any_texture_ = false;
 };
-
-bool is_png_or_jpeg(const std::vector<unsigned char>& bytes) {
-  constexpr unsigned char png[] = {0x89, 'P', 'N', 'G'}, jpeg[] = {0xFF, 0xD8, 0xFF};
-  const auto begins = [&](std::span<const unsigned char> with) {
-    return bytes.size() > with.size() && std::equal(with.begin(), with.end(), bytes.begin());
-  };
-  return begins(png) || begins(jpeg);
-}
-
-void read_image_bytes(Document& document, const json& source, const std::string& place, Result<void>& memory,
-                      EncodedImage& image) {
-  const json* uri = find(source, {"uri"});
-  const json* view = find(source, {"bufferView"});
-  if (uri != nullptr && view != nullptr) document.problem("{}: has a uri and a bufferView; the uri is used", place);
-  if (uri != nullptr) {
-    auto fetched = document.fetch(uri->get_ref<const std::string&>());
-    if (fetched)
-      image.bytes = std::move(*fetched);
-    else
-      document.problem("{}: {}; drawn without it", place, fetched.error().message);
-  } else if (view != nullptr) {
-    const auto bytes = document.view(view->get<int>());
-    memory = document.take_memory(bytes.size(), place);
-    if (memory) image.bytes.assign(bytes.begin(), bytes.end());
-  } else {
-    document.problem("{}: has neither a uri nor a bufferView; drawn without it", place);
-  }
-}
 
 }  // namespace
 
@@ -248,26 +245,6 @@ Materials read_materials(Document& document) {
     read.sets.push_back(reader.sets);
   }
   return read;
-}
-
-Result<std::vector<EncodedImage>> read_images(Document& document) {
-  std::vector<EncodedImage> images;
-  const json* list = find(document.source, {"images"});
-  if (list == nullptr) return images;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string place = fmt::format("images/{}", i);
-    EncodedImage image;
-    if (const json* name = find((*list)[i], {"name"})) image.name = name->get<std::string>();
-    Result<void> memory;
-    read_image_bytes(document, (*list)[i], place, memory, image);
-    if (!memory) return pass_on(std::move(memory));
-    if (!image.bytes.empty() && !is_png_or_jpeg(image.bytes)) {
-      document.problem("{}: is neither PNG nor JPEG; drawn without it", place);
-      image.bytes.clear();
-    }
-    images.push_back(std::move(image));
-  }
-  return images;
 }
 
 }  // namespace sinew::gltf

@@ -1,11 +1,10 @@
 #pragma once
-/// Materials and images (glTF 2.0 sections 3.8 and 3.9; KHR_texture_transform, KHR_materials_unlit,
-/// KHR_materials_emissive_strength, KHR_materials_specular's factors, KHR_materials_pbrSpecularGlossiness' colours).
+/// Materials (glTF 2.0 section 3.9; KHR_texture_transform, KHR_materials_unlit, KHR_materials_emissive_strength,
+/// KHR_materials_specular's factors, KHR_materials_pbrSpecularGlossiness' diffuse colour and gloss).
 
 #include <array>
 #include <vector>
 
-#include "engine/core/result.h"
 #include "engine/io/gltf_document.h"
 #include "engine/model/model.h"
 
@@ -23,9 +22,5 @@ struct Materials {
 /// Never fails: a material with a fault is read as far as it goes, and the fault noted. A texture that would need a
 /// third set of coordinates is left out and noted.
 Materials read_materials(Document& document);
-
-/// All images, still encoded. One that cannot be found, or is neither PNG nor JPEG, is left empty and noted; fails only
-/// where the images take more memory than a model may.
-Result<std::vector<EncodedImage>> read_images(Document& document);
 
 }  // namespace sinew::gltf

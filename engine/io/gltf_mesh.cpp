@@ -12,10 +12,6 @@
 namespace sinew::gltf {
 namespace {
 
-constexpr double unit_tolerance = 1e-3;
-/// Components of small integers cannot hold a unit vector better than this (glTF's KHR_mesh_quantization: 8 bits).
-constexpr double integer_unit_tolerance = 2e-2;
-
 constexpr int any_component[] = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE,
                                  TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_SHORT,
                                  TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
@@ -109,7 +105,6 @@ class PrimitiveReader {
   }
 
   void normalise(const Numbers& numbers) {
-    const double tolerance = numbers.integer ? integer_unit_tolerance : unit_tolerance;
     std::size_t off = 0;
     std::vector<std::size_t> unusable;
     to_.normals.reserve(numbers.count());
@@ -119,7 +114,7 @@ class PrimitiveReader {
       const bool usable = numbers.finite(v) && length > 1e-12;
       to_.normals.push_back(usable ? normal / length : Vec3(0.0));
       if (!usable) unusable.push_back(v);
-      off += usable && std::abs(length - 1.0) > tolerance ? 1 : 0;
+      off += usable && std::abs(length - 1.0) > numbers.unit_tolerance() ? 1 : 0;
     }
     if (off > 0) document_.problem("{}: {} normals are not of length 1; normalised", place_, off);
     if (unusable.empty()) return;

@@ -4,6 +4,7 @@
 
 #include "engine/io/gltf_clip.h"
 #include "engine/io/gltf_document.h"
+#include "engine/io/gltf_image.h"
 #include "engine/io/gltf_material.h"
 #include "engine/io/gltf_mesh.h"
 #include "engine/io/gltf_scene.h"

@@ -41,7 +41,7 @@ class SurfaceReader {
   }
 
   void note_mended(std::size_t count, const std::string& attribute, const char* mend) {
-    if (count > 0) document_.problem("{}: {} of {} are not usable; {}", place_, count, attribute, mend);
+    if (count > 0) document_.problem("{}: {} of {} {}", place_, count, attribute, mend);
   }
 
   bool textured(int coordinates) const {
@@ -72,7 +72,7 @@ class SurfaceReader {
       bad += finite ? 0 : 1;
       to.push_back(finite ? Vec2(numbers->at(v)[0], numbers->at(v)[1]) : Vec2(0.0));
     }
-    note_mended(bad, name, "taken as 0");
+    note_mended(bad, name, "are not finite; taken as 0");
     return {};
   }
 
@@ -83,6 +83,8 @@ class SurfaceReader {
     auto numbers = read_accessor(document_, accessor("TANGENT"), attribute_place("TANGENT"),
                                  {TINYGLTF_TYPE_VEC4, tangent_components, "VEC4 of floats, or of normalized integers"});
     if (!numbers) return pass_on(std::move(numbers));
+    std::size_t long_or_short = 0, sideless = 0;
+    to_.tangents.reserve(numbers->count());
     for (std::size_t v = 0; v < numbers->count(); ++v) {
       const double length = numbers->finite(v) ? glm::length(numbers->vec3(v)) : 0.0;
       if (length < 1e-12) {
@@ -90,8 +92,13 @@ class SurfaceReader {
         to_.tangents.clear();
         return {};
       }
-      to_.tangents.emplace_back(numbers->vec3(v) / length, numbers->at(v)[3] < 0.0 ? -1.0 : 1.0);
+      const double side = numbers->at(v)[3];
+      long_or_short += std::abs(length - 1.0) > numbers->unit_tolerance() ? 1 : 0;
+      sideless += std::abs(side) != 1.0 ? 1 : 0;
+      to_.tangents.emplace_back(numbers->vec3(v) / length, side < 0.0 ? -1.0 : 1.0);
     }
+    note_mended(long_or_short, "TANGENT", "are not of length 1; normalised");
+    note_mended(sideless, "TANGENT", "have a w that is neither 1 nor -1; the nearer is taken");
     return {};
   }
 
@@ -104,7 +111,10 @@ class SurfaceReader {
                                  {has_alpha ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, colour_components,
                                   "VEC3 or VEC4 of floats, or of normalized bytes or shorts"});
     if (!numbers) return pass_on(std::move(numbers));
-    std::size_t bad = 0;
+    if (numbers->integer && !document_.gltf.accessors[static_cast<std::size_t>(index)].normalized)
+      document_.problem("{}: whole numbers that are not normalized; all but 0 are taken as 1",
+                        attribute_place("COLOR_0"));
+    std::size_t bad = 0, outside = 0;
     to_.colours.reserve(numbers->count());
     for (std::size_t v = 0; v < numbers->count(); ++v) {
       Vec4 colour(1.0);
@@ -112,8 +122,10 @@ class SurfaceReader {
       bad += finite ? 0 : 1;
       if (finite) colour = Vec4(numbers->vec3(v), has_alpha ? numbers->at(v)[3] : 1.0);
       to_.colours.push_back(glm::clamp(colour, 0.0, 1.0));
+      outside += to_.colours.back() != colour && !numbers->integer ? 1 : 0;
     }
-    note_mended(bad, "COLOR_0", "taken as white");
+    note_mended(bad, "COLOR_0", "are not finite; taken as white");
+    note_mended(outside, "COLOR_0", "lie outside 0 to 1; clamped");
     return {};
   }
 
