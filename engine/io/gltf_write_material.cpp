@@ -67,7 +67,8 @@ class MaterialWriter {
     if (!material.name.empty()) out["name"] = material.name;
     out["pbrMetallicRoughness"] = std::move(surface);
     set_texture(out, "normalTexture", material.normal_texture, "scale", material.normal_scale);
-    set_texture(out, "occlusionTexture", material.occlusion_texture, "strength", material.occlusion_strength);
+    set_texture(out, "occlusionTexture", material.occlusion_texture, "strength",
+                std::clamp(material.occlusion_strength, 0.0, 1.0));
     set_texture(out, "emissiveTexture", material.emissive_texture);
     add_emission(out, material);
     add_specular(out, material);
@@ -97,8 +98,9 @@ class MaterialWriter {
 
   void add_specular(Json& out, const Material& material) {
     Json specular = Json::object();
-    if (material.specular != 1.0) specular["specularFactor"] = material.specular;
-    const Vec3& colour = material.specular_colour;
+    if (const double factor = std::clamp(material.specular, 0.0, 1.0); factor != 1.0)
+      specular["specularFactor"] = factor;
+    const Vec3 colour = glm::max(material.specular_colour, 0.0);
     if (colour != Vec3(1.0)) specular["specularColorFactor"] = {colour.x, colour.y, colour.z};
     if (!specular.empty()) add_extension(out, "KHR_materials_specular", std::move(specular));
   }

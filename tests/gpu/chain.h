@@ -7,6 +7,7 @@
 
 #include "engine/body/muscle_placement.h"
 #include "engine/deform/reference.h"
+#include "engine/deform/skin_output.h"
 #include "tests/support/tube.h"
 
 namespace sinew::test {
@@ -25,8 +26,8 @@ struct Chain {
 constexpr int chain_joints = 10;
 
 /// Joints stand at y = 0, 0.2, ... 1.8. Each vertex follows the `influences` nearest joints, weights random but smooth
-/// in nothing: the worst case for a packing. Two morph targets move every third vertex.
-inline Chain make_chain(std::size_t influences, bool morphs = true) {
+/// in nothing: the worst case for a packing. Two morph targets move every third vertex. Tangents lie askew on the skin.
+inline Chain make_chain(std::size_t influences, bool morphs = true, bool tangents = true) {
   Chain chain;
   Model& model = chain.model;
   model = tube({.rows = 41, .columns = 20});
@@ -69,6 +70,10 @@ inline Chain make_chain(std::size_t influences, bool morphs = true) {
   }
   chain.order = hierarchy_order(model);
   chain.mesh = character_mesh(model);
+  std::mt19937 askew(8);  // whether there are morphs or not, the same
+  for (std::size_t v = 0; tangents && v < chain.mesh.vertices(); ++v)
+    chain.mesh.tangents.push_back(
+        tangent_in_plane(Vec4(unit(askew), unit(askew), -unit(askew), v % 2 == 0 ? 1 : -1), chain.mesh.normals[v]));
   chain.rest = rest_shape(model, chain.mesh, chain.order);
 
   MuscleSpec spec;

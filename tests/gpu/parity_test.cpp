@@ -4,54 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/gpu/gpu_deformer.h"
-#include "tests/gpu/chain.h"
-#include "tests/gpu/device_fixture.h"
+#include "tests/gpu/parity.h"
 
 namespace sinew::test {
 namespace {
-
-constexpr double position_tolerance = 1e-5;         // of the box's diagonal: the promise of `sinew parity`
-constexpr double normal_tolerance_degrees = 0.1;    // likewise
-constexpr double singular_tolerance_degrees = 2.0;  // where the blend all but collapses, normals are ill-conditioned
-
-std::vector<Vec4f> deform_on_device(const Chain& chain, const ChainState& state, const GpuDeformerOptions& options) {
-  auto deformer = GpuDeformer::create(device(), chain.mesh, chain.rest, chain.muscles, options);
-  if (!deformer) {
-    ADD_FAILURE() << deformer.error().message;
-    return {};
-  }
-  deformer->set_state({state.palette, state.morph_weights, state.activations});
-  EXPECT_TRUE(deformer->run());
-  auto words = deformer->read_back();
-  EXPECT_TRUE(words);
-  return words ? *words : std::vector<Vec4f>();
-}
-
-struct Errors {
-  double position = 0.0, normal = 0.0, singular_normal = 0.0, height = 0.0;
-  std::size_t singular = 0, lifted = 0;
-};
-
-Errors errors(const DeformedVertices& reference, const std::vector<Vec4f>& words) {
-  Errors e;
-  Bounds box;
-  for (const Vec3& p : reference.positions) box.add(p);
-  for (std::size_t v = 0; v < reference.positions.size(); ++v) {
-    const Vec4 position(words[2 * v]);
-    const double off = angle_degrees(Vec3(words[2 * v + 1]), reference.normals[v]);
-    e.position = std::max(e.position, glm::length(Vec3(position) - reference.positions[v]) / box.diagonal());
-    e.height = std::max(e.height, std::abs(position.w - reference.heights[v]));
-    e.lifted += reference.heights[v] > 1e-3 ? 1 : 0;
-    if (nearly_singular(reference.blend[v])) {
-      ++e.singular;
-      e.singular_normal = std::max(e.singular_normal, off);
-    } else {
-      e.normal = std::max(e.normal, off);
-    }
-  }
-  return e;
-}
 
 using Case = std::tuple<std::size_t, Deformer, BulgeMode, ChainPose>;
 
@@ -62,11 +18,14 @@ TEST_P(Parity, ComputeEqualsReference) {
   const Chain chain = make_chain(influences);
   const ChainState state = chain_state(chain, pose);
   const std::vector<Vec4f> words = deform_on_device(chain, state, {.deformer = deformer, .bulge = bulge});
-  ASSERT_EQ(words.size(), 2 * chain.mesh.vertices());
+  ASSERT_EQ(words.size(), 3 * chain.mesh.vertices());
   const Errors e = errors(reference(chain, state, deformer, bulge), words);
   EXPECT_LE(e.position, position_tolerance);
   EXPECT_LE(e.normal, normal_tolerance_degrees);
   EXPECT_LE(e.singular_normal, singular_tolerance_degrees);
+  EXPECT_LE(e.tangent, tangent_tolerance_degrees);
+  EXPECT_LE(e.singular_tangent, singular_tolerance_degrees);
+  EXPECT_EQ(e.wrong_sides, 0u);
   EXPECT_LE(e.height, 1e-6);  // of a peak of 0.06: float, and the device's exp() with a relative error of 1.2e-6
   // The case shows what it is for: the bent muscle lifts skin exactly where the bulge is on.
   if (pose == ChainPose::bent) {

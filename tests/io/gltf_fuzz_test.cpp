@@ -7,7 +7,8 @@
 #include <functional>
 #include <random>
 
-#include "tests/support/gltf_builder.h"
+#include "engine/model/character_mesh.h"
+#include "tests/support/painted_gltf.h"
 
 namespace sinew::test {
 namespace {
@@ -59,31 +60,96 @@ GltfBuilder sparse() {
   return b;
 }
 
+/// A material with all that a material can have, on vertices that carry all that they can carry for it.
 GltfBuilder dressed() {
   GltfBuilder b;
-  b.add("images", {{"bufferView", b.view<unsigned char>(std::string("\x89PNG\r\n\x1a\n"))}, {"mimeType", "image/png"}});
-  b.add("samplers", {{"wrapS", 33071}});
+  b.json["extensionsUsed"] = {"KHR_texture_transform", "KHR_materials_specular"};
+  b.json["extensionsRequired"] = {"KHR_texture_transform"};
+  b.add("images", {{"bufferView", b.view<unsigned char>(png_head())}, {"mimeType", "image/png"}});
+  b.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
   b.add("textures", {{"sampler", 0}, {"source", 0}});
-  b.add("materials",
-        {{"pbrMetallicRoughness",
-          {{"baseColorFactor", {1, 1, 1, 1}},
-           {"baseColorTexture",
-            {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0, 1}}, {"texCoord", 0}}}}}}}}}});
+  json material = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0.5}, {"roughnessFactor", 0.5}}},
+      {"emissiveFactor", {0.5, 0.5, 0.5}},
+      {"alphaMode", "MASK"},
+      {"alphaCutoff", 0.5},
+      {"doubleSided", true},
+      {"extensions",
+       {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
+        {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 1, 2}}}}}}};
+  for (const TexturePlace& place : texture_places)
+    material[json::json_pointer(place.pointer)] = {
+        {"index", 0},
+        {"texCoord", 1},
+        {"extensions",
+         {{"KHR_texture_transform", {{"offset", {0, 1}}, {"scale", {2, 0.5}}, {"rotation", 1}, {"texCoord", 0}}}}}};
+  material["normalTexture"]["scale"] = 0.5;
+  material["occlusionTexture"]["strength"] = 0.5;
+  material["emissiveTexture"]["extensions"]["KHR_texture_transform"]["texCoord"] = 1;
+  b.add("materials", material);
   auto primitive = b.triangle();
   primitive["material"] = 0;
-  primitive["attributes"]["TEXCOORD_0"] = b.floats("VEC2", {0, 0, 1, 0, 0, 1});
+  json& attributes = primitive["attributes"];
+  attributes["NORMAL"] = b.floats("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+  attributes["TANGENT"] =
+      b.integers<short>("VEC4", {32767, 0, 0, 32767, 0, 32767, 0, 32767, 32767, 0, 0, -32767}, true);
+  attributes["TEXCOORD_0"] = b.floats("VEC2", {0, 0, 1, 0, 0, 1});
+  attributes["TEXCOORD_1"] = b.integers<unsigned short>("VEC2", {0, 0, 65535, 0, 0, 65535}, true);
+  attributes["COLOR_0"] = b.integers<unsigned char>("VEC4", std::vector<double>(12, 128), true);
   b.draw(primitive);
   b.json["extensions"]["VRMC_vrm"]["humanoid"]["humanBones"]["hips"]["node"] = 0;
   return b;
+}
+
+/// An older file's material, and a normal texture without tangents: they are generated.
+GltfBuilder dressed_of_old() {
+  GltfBuilder b = painted(
+      {{{"normalTexture", {{"index", 1}}},
+        {"extensions",
+         {{"KHR_materials_unlit", json::object()},
+          {"KHR_materials_pbrSpecularGlossiness",
+           {{"diffuseFactor", {1, 1, 1, 1}}, {"diffuseTexture", {{"index", 0}}}, {"glossinessFactor", 0.5}}}}}}});
+  auto primitive = b.triangle();
+  primitive["material"] = 0;
+  primitive["attributes"]["TEXCOORD_0"] = b.floats("VEC2", {0, 0, 1, 0, 0, 1});
+  primitive["attributes"]["COLOR_0"] = b.floats("VEC3", std::vector<double>(9, 0.5));
+  b.draw(primitive);
+  return b;
+}
+
+bool within(double x, double low, double high) { return x >= low && x <= high; }
+
+/// What the model promises of surfaces, however damaged the file was.
+void expect_sound_surfaces(const Model& model, int mutation) {
+  for (const Material& m : model.materials) {
+    for (const double share :
+         {m.base_colour.x, m.base_colour.w, m.metallic, m.roughness, m.occlusion_strength, m.specular})
+      EXPECT_TRUE(within(share, 0, 1)) << "mutation " << mutation;
+    for (const double number : {m.normal_scale, m.emissive.x, m.specular_colour.z, m.alpha_cutoff})
+      EXPECT_TRUE(std::isfinite(number)) << "mutation " << mutation;
+    for (const TexturePlace& place : texture_places) {
+      const Texture& texture = m.*place.texture;
+      EXPECT_TRUE(within(texture.image, -1, static_cast<double>(model.images.size()) - 1)) << "mutation " << mutation;
+      EXPECT_TRUE(within(texture.coordinates, 0, 1)) << "mutation " << mutation;
+    }
+  }
+  if (!check_drawn_vertices(model)) return;
+  const CharacterMesh mesh = character_mesh(model);
+  for (const Vec4& tangent : mesh.tangents) {
+    EXPECT_NEAR(glm::length(Vec3(tangent)), 1.0, 1e-9) << "mutation " << mutation;
+    EXPECT_EQ(std::abs(tangent.w), 1.0) << "mutation " << mutation;
+  }
+  for (const Vec4& colour : mesh.colours) EXPECT_TRUE(within(colour.x, 0, 1) && within(colour.w, 0, 1));
 }
 
 void expect_an_end(const std::string& content, int mutation) {
   const auto begin = std::chrono::steady_clock::now();
   const auto model = read_text(content);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10)) << "mutation " << mutation;
-  if (!model) {
+  if (model)
+    expect_sound_surfaces(*model, mutation);
+  else
     EXPECT_EQ(model.error().kind, ErrorKind::bad_input) << "mutation " << mutation;
-  }
 }
 
 using Random = std::mt19937;
@@ -181,6 +247,7 @@ TEST(GltfFuzz, Morphed) { fuzz(morphed); }
 TEST(GltfFuzz, Animated) { fuzz(animated); }
 TEST(GltfFuzz, Sparse) { fuzz(sparse); }
 TEST(GltfFuzz, Dressed) { fuzz(dressed); }
+TEST(GltfFuzz, DressedOfOld) { fuzz(dressed_of_old); }
 
 }  // namespace
 }  // namespace sinew::test

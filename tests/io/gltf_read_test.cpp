@@ -10,19 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-/// The message of a file that must be refused.
-std::string refusal(const std::string& content) {
-  const auto model = read_text(content);
-  if (model) return "(read)";
-  EXPECT_EQ(model.error().kind, ErrorKind::bad_input);
-  return model.error().message;
-}
-
-void expect_refused(const GltfBuilder& builder, std::string_view part) {
-  const std::string message = refusal(builder.text());
-  EXPECT_NE(message.find(part), std::string::npos) << message;
-}
-
 TEST(GltfRead, BinaryAndTextGiveTheSameModel) {
   GltfBuilder b;
   b.draw(b.triangle());
@@ -183,47 +170,6 @@ TEST(GltfRead, MorphTargetsNamesAndWeights) {
   EXPECT_EQ(read.primitives[0].morph_targets[0].positions[0], Vec3(0, 0, 1));
   EXPECT_EQ(read.primitives[1].morph_targets.size(), 2u);
   EXPECT_TRUE(mentions(*model, "different numbers of morph targets"));
-}
-
-TEST(GltfRead, BaseColourTextureTransformAndTextureCoordinateSet) {
-  GltfBuilder b;
-  b.json["extensionsRequired"] = {"KHR_texture_transform"};
-  b.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
-  b.add("images", {{"uri", "data:image/png;base64," + GltfBuilder::base64("\x89PNG\r\n\x1a\n")}, {"name", "skin"}});
-  b.add("textures", {{"sampler", 0}, {"source", 0}});
-  b.add("materials",
-        {{"pbrMetallicRoughness",
-          {{"baseColorFactor", {0.5, 0.25, 1, 0.75}},
-           {"baseColorTexture",
-            {{"index", 0},
-             {"extensions",
-              {{"KHR_texture_transform",
-                {{"texCoord", 1}, {"offset", {0.5, 0}}, {"scale", {2, 1}}, {"rotation", 1.5707963267948966}}}}}}}}},
-         {"doubleSided", true},
-         {"alphaMode", "MASK"},
-         {"alphaCutoff", 0.25}});
-  auto primitive = b.triangle();
-  primitive["material"] = 0;
-  primitive["attributes"]["TEXCOORD_1"] = b.integers<unsigned short>("VEC2", {65535, 0, 0, 65535, 0, 0}, true);
-  b.draw(primitive);
-  const auto model = b.read();
-  ASSERT_TRUE(model) << model.error().message;
-  const Material& material = model->materials[0];
-  EXPECT_EQ(material.base_colour, Vec4(0.5, 0.25, 1, 0.75));
-  const Texture& texture = material.base_colour_texture;
-  EXPECT_EQ(texture.image, 0);
-  EXPECT_EQ(texture.wrap_u, Wrap::clamp);
-  EXPECT_EQ(texture.wrap_v, Wrap::mirror);
-  EXPECT_TRUE(texture.nearest_filter && material.double_sided);
-  EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
-  EXPECT_EQ(material.alpha_cutoff, 0.25);
-  EXPECT_EQ(model->images[0].bytes.size(), 8u);
-  // A quarter turn counter-clockwise with v pointing down: u goes to -v, v to u.
-  const auto& uv = model->meshes[0].primitives[0].texture_coordinates;
-  EXPECT_EQ(uv[0], Vec2(1, 0));
-  EXPECT_EQ(uv[1], Vec2(0, 1));
-  EXPECT_LT(glm::distance(texture.apply(uv[0]), Vec2(0.5, -2.0)), 1e-12);
-  EXPECT_LT(glm::distance(texture.apply(uv[1]), Vec2(1.5, 0.0)), 1e-12);
 }
 
 TEST(GltfRead, MissingImagesAreAProblemOnly) {

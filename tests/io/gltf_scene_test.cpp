@@ -9,12 +9,6 @@ namespace {
 
 using nlohmann::json;
 
-void expect_refused(const GltfBuilder& builder, std::string_view part) {
-  const auto model = builder.read();
-  ASSERT_FALSE(model);
-  EXPECT_NE(model.error().message.find(part), std::string::npos) << model.error().message;
-}
-
 TEST(GltfScene, HierarchyAndScenes) {
   GltfBuilder b;
   b.json["nodes"] = {{{"children", {2}}}, json::object(), json::object()};

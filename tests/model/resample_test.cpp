@@ -13,6 +13,9 @@ namespace {
 /// How the morph target of morphing_tubes() moves a place: linear, so that the mean of two ends is right in the middle.
 Vec3 morphed_by(const Vec3& p) { return {0.5 * p.y, p.x - p.z, 0.25 * p.x}; }
 
+Vec4 colour_at(const Vec3& p) { return {0.5 + p.x, 0.25 * p.y, 0.5 + p.z, 1.0 - 0.25 * p.y}; }
+Vec2 second_coordinates_at(const Vec3& p) { return {0.5 * p.y, p.x - p.z}; }
+
 /// Two tubes side by side, the second without a morph target.
 CharacterMesh tubes() {
   Model model = tube({.rows = 9, .columns = 12});
@@ -49,6 +52,8 @@ void expect_sound(const CharacterMesh& mesh) {
   const std::size_t vertices = mesh.vertices();
   EXPECT_EQ(mesh.normals.size(), vertices);
   EXPECT_EQ(mesh.texture_coordinates.size(), vertices);
+  for (const std::size_t size : {mesh.second_texture_coordinates.size(), mesh.colours.size(), mesh.tangents.size()})
+    EXPECT_TRUE(size == 0 || size == vertices) << size;
   EXPECT_EQ(mesh.influences.vertices(), vertices);
   EXPECT_EQ(mesh.morph_first.size(), vertices + 1);
   EXPECT_EQ(mesh.morph_first.back(), mesh.morph_deltas.size());
@@ -110,7 +115,7 @@ TEST(Resample, DataAtAMidpointIsTheMeanOfBothEnds) {
   EXPECT_EQ(fine.morph_first[fine.parts[1].first_vertex], fine.morph_deltas.size()) << "the second has no target";
 }
 
-TEST(Resample, WeightsAtAMidpointAreTheMeanOfBothEnds) {
+CharacterMesh one_triangle() {
   CharacterMesh mesh;
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
   mesh.normals.assign(3, Vec3(0, 0, 1));
@@ -122,6 +127,11 @@ TEST(Resample, WeightsAtAMidpointAreTheMeanOfBothEnds) {
   mesh.influences.add_vertex({{0, 0.75}, {1, 0.25}});
   mesh.influences.add_vertex({{1, 1.0}});
   mesh.influences.add_vertex({{3, 0.5}, {2, 0.25}, {0, 0.25}});
+  return mesh;
+}
+
+TEST(Resample, WeightsAtAMidpointAreTheMeanOfBothEnds) {
+  const CharacterMesh mesh = one_triangle();
   const CharacterMesh fine = resample(mesh, 6).value();
   ASSERT_EQ(fine.vertices(), 6u);
   const auto run_at = [&](const Vec3& place) {
@@ -137,6 +147,60 @@ TEST(Resample, WeightsAtAMidpointAreTheMeanOfBothEnds) {
   // Four joints, but no more than the longer of the ends has: the weakest, of equal ones the last, is left out.
   const double sum = 0.875;
   EXPECT_EQ(run_at({0, 1, 0}), (Run{{0, 0.5 / sum}, {3, 0.25 / sum}, {1, 0.125 / sum}}));
+}
+
+/// tubes() with all that vertices can carry for a material; colours and coordinates are linear in the place.
+CharacterMesh dressed_tubes() {
+  CharacterMesh mesh = tubes();
+  for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+    const Vec3 &p = mesh.positions[v], &n = mesh.normals[v];
+    mesh.second_texture_coordinates.push_back(second_coordinates_at(p));
+    mesh.colours.push_back(colour_at(p));
+    // One tube's picture lies upright, the other's is mirrored.
+    const double side = v < mesh.parts[1].first_vertex ? 1.0 : -1.0;
+    mesh.tangents.push_back(Vec4(side * Vec3(n.z, 0, -n.x), side));
+  }
+  return mesh;
+}
+
+TEST(Resample, ColoursAndCoordinatesAtAMidpointAreTheMeanOfBothEnds) {
+  const CharacterMesh coarse = dressed_tubes();
+  for (const std::size_t wanted : {coarse.vertices() + edges_of(coarse), std::size_t{70}}) {
+    const CharacterMesh other = resample(coarse, wanted).value();
+    expect_sound(other);
+    ASSERT_EQ(other.colours.size(), other.vertices());
+    ASSERT_EQ(other.second_texture_coordinates.size(), other.vertices());
+    for (std::size_t v = 0; v < other.vertices(); ++v) {
+      EXPECT_LT(glm::length(other.colours[v] - colour_at(other.positions[v])), 1e-15);
+      EXPECT_LT(glm::length(other.second_texture_coordinates[v] - second_coordinates_at(other.positions[v])), 1e-15);
+    }
+  }
+}
+
+TEST(Resample, TangentsAtAMidpointLieBetweenBothEnds) {
+  const CharacterMesh coarse = dressed_tubes();
+  for (const std::size_t wanted : {coarse.vertices() + edges_of(coarse), std::size_t{70}}) {
+    const CharacterMesh other = resample(coarse, wanted).value();
+    ASSERT_EQ(other.tangents.size(), other.vertices());
+    for (std::size_t v = 0; v < other.vertices(); ++v) {
+      const double side = v < other.parts[1].first_vertex ? 1.0 : -1.0;
+      const Vec3& n = other.normals[v];  // round the tube, as the mean of two normals is the mean of two tangents
+      EXPECT_EQ(other.tangents[v].w, side);
+      EXPECT_LT(glm::length(Vec3(other.tangents[v]) - side * Vec3(n.z, 0, -n.x)), 1e-14);
+    }
+  }
+}
+
+TEST(Resample, OppositeTangentsLeaveTheFirst) {
+  CharacterMesh mesh = one_triangle();
+  mesh.tangents = {{1, 0, 0, 1}, {-1, 0, 0, -1}, {0, 1, 0, 1}};
+  const CharacterMesh fine = resample(mesh, 6).value();
+  for (std::size_t v = 0; v < 6; ++v) {
+    EXPECT_NEAR(glm::length(Vec3(fine.tangents[v])), 1.0, 1e-15);
+    if (fine.positions[v] == Vec3(1, 0, 0)) {
+      EXPECT_EQ(fine.tangents[v], Vec4(1, 0, 0, 1));
+    }
+  }
 }
 
 TEST(Resample, ReachesAboutTheNumberAskedFor) {

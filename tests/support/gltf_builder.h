@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
@@ -153,6 +154,19 @@ class GltfBuilder {
 
   std::string bytes_;
 };
+
+/// The message of a file that must be refused.
+inline std::string refusal(const std::string& content) {
+  const auto model = read_text(content);
+  if (model) return "(read)";
+  EXPECT_EQ(model.error().kind, ErrorKind::bad_input);
+  return model.error().message;
+}
+
+inline void expect_refused(const GltfBuilder& builder, std::string_view part) {
+  const std::string message = refusal(builder.text());
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+}
 
 /// True where one of the model's problems holds `part`.
 inline bool mentions(const Model& model, std::string_view part) {

@@ -132,4 +132,43 @@ inline Model two_meshes_on_one_skin() {
   return model;
 }
 
+constexpr std::size_t dressed_mesh = 1;
+
+/// The same with a second material that has all that a material can have, on the clothes, whose vertices carry all that
+/// vertices can carry: tangents, two sets of texture coordinates, colours. Numbers are such that floats hold them.
+inline Model dressed_meshes() {
+  Model model = two_meshes_on_one_skin();
+  Material material;
+  material.name = "all";
+  material.base_colour = {0.25, 0.5, 0.75, 0.5};
+  material.metallic = 0.125;
+  material.roughness = 0.375;
+  material.normal_scale = 0.5;
+  material.occlusion_strength = 0.625;
+  material.emissive = {2, 4, 8};
+  material.specular = 0.5;
+  material.specular_colour = {2, 0.5, 0.25};
+  material.double_sided = true;
+  material.alpha_mode = AlphaMode::blend;
+  material.base_colour_texture.image = 0;
+  material.metallic_roughness_texture = {1, 1, Wrap::clamp, Wrap::mirror, false, {0.5, 0.25}, 0.75, {2, 0.5}};
+  material.normal_texture = {2, 0, Wrap::repeat, Wrap::repeat, true, {}, 0.5, Vec2(1)};
+  material.occlusion_texture = {3, 1, Wrap::mirror, Wrap::clamp, false, {0, 0.5}, 0.0, Vec2(1)};
+  material.emissive_texture = {4, 0, Wrap::repeat, Wrap::clamp, false, {}, 0.0, {1, 4}};
+  for (int i = 1; i < 5; ++i) {
+    const auto grey = static_cast<unsigned char>(40 * i);
+    model.images.push_back({fmt::format("picture {}", i), *encode_png(Bytes(16, grey), 2, 2)});
+  }
+  Primitive& clothes = model.meshes[dressed_mesh].primitives[0];
+  clothes.material = static_cast<int>(model.materials.size());
+  model.materials.push_back(material);
+  for (std::size_t v = 0; v < clothes.positions.size(); ++v) {
+    const double share = static_cast<double>(v % 8) / 8.0;
+    clothes.tangents.push_back(v % 2 == 0 ? Vec4(1, 0, 0, 1) : Vec4(0, -1, 0, -1));
+    clothes.second_texture_coordinates.push_back({share, 1.0 - share});
+    clothes.colours.push_back({share, 0.5, 1.0 - share, 1.0 - 0.5 * share});
+  }
+  return model;
+}
+
 }  // namespace sinew::test
