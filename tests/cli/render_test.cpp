@@ -170,8 +170,14 @@ TEST_F(Render, TransparentIsOutsideAndOnlyThere) {
 }
 
 TEST_F(Render, TransparentFloorIsShadeAlone) {
-  const DecodedPng clear = picture(render("clear.png", {"--background", "transparent"}));
-  const DecodedPng floor = picture(render("floor.png", {"--background", "transparent", "--floor", "on"}));
+  // In the rest pose nothing is below the floor.
+  const Arguments rest{"builtin:arm", "--frame", "0", "--background", "transparent", "--floor"};
+  const auto drawn = [&](const char* floor) {
+    Arguments words = rest;
+    words.push_back(floor);
+    return picture(render(std::string(floor) + ".png", words));
+  };
+  const DecodedPng clear = drawn("off"), floor = drawn("on");
   std::size_t shaded = 0;
   for (std::size_t i = 0; i < clear.rgba.size(); i += 4) {
     if (clear.rgba[i + 3] != 0) {

@@ -50,7 +50,7 @@ TEST_F(Shadows, TheFloorShowsThemAndNothingElse) {
   squares.add({0, 0.5, 0}, 0.5);
   for (Vec3& p : squares.last().positions) p = {p.x, 0.3, 0.5 - p.y};
   squares.last().normals.assign(4, Vec3(0, 1, 0));
-  const Setting above{.floor = 0.0, .eye = {0, 3, 4}, .target = {0, 0.3, 0}};
+  const Setting above{.shadows = true, .floor = 0.0, .eye = {0, 3, 4}, .target = {0, 0.3, 0}};
   Setting none = above;
   none.floor.reset();
   const Picture with = drawn(squares.model, above), without = drawn(squares.model, none);
@@ -61,6 +61,12 @@ TEST_F(Shadows, TheFloorShowsThemAndNothingElse) {
   }
   EXPECT_GT(darker, 300);
   EXPECT_EQ(brighter, 0);
+  Setting contact = above;
+  contact.shadows = false;
+  const Picture uncast = drawn(squares.model, contact);
+  int cast = 0;
+  for (std::size_t i = 0; i < with.rgba.size(); ++i) cast += with.rgba[i] < uncast.rgba[i] ? 1 : 0;
+  EXPECT_GT(cast, 100) << "the key light's shadow is not there";
   // The far corners of the picture lie beyond all shadows.
   EXPECT_EQ(at(with, 1, 1), at(without, 1, 1));
   Setting below = above;
