@@ -79,14 +79,37 @@ struct LibraryClip {
   std::string name;
   bool operator==(const LibraryClip&) const = default;
 };
+/// A motion file, and which of its clips.
+struct MotionFile {
+  std::filesystem::path path;
+  std::string clip;  ///< of a glTF file's animations; empty: the first
+  bool operator==(const MotionFile&) const = default;
+};
 /// A clip of the library, or a motion file.
-using MotionChoice = std::variant<LibraryClip, std::filesystem::path>;
+using MotionChoice = std::variant<LibraryClip, MotionFile>;
+
+/// What `keys` do to a joint that a motion moves.
+enum class KeyBlend {
+  replace,  ///< turn it from its rest pose: the motion moves it no longer
+  add,      ///< turn it further, from where the motion has it
+};
+
+/// A motion that a character plays.
+struct MotionUse {
+  MotionChoice source;
+  double start = 0.0;  ///< the frame at which it begins; its first pose is held before, its last one after its end
+  double speed = 1.0;  ///< > 0; 2 plays it in half its time
+  Keyed<double> weight = Keyed<double>::constant(1);  ///< 0: what the clip or rest pose does; 1: the motion
+  KeyBlend keys = KeyBlend::replace;
+
+  bool operator==(const MotionUse&) const = default;
+};
 
 /// One model and all that happens to it. What moves a joint, later over earlier: rest pose, clip, motion, keys.
 struct Character {
   std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:arm")
   std::optional<ClipChoice> clip;                         ///< absent: the scene does not say
-  std::optional<MotionChoice> motion;                     ///< absent: none
+  std::optional<MotionUse> motion;                        ///< absent: none
   Keyed<Vec3> position = Keyed<Vec3>::constant(Vec3(0));  ///< of the model's origin
   Keyed<double> turn = Keyed<double>::constant(0);        ///< degrees about +Y
   int count = 1;                                          ///< copies; more than 1 is refused until crowds exist
