@@ -30,8 +30,8 @@ bool is_motion_alone(const std::filesystem::path& file, std::span<const unsigned
 }
 
 Result<Motion> library_motion(const std::filesystem::path& library, const std::string& clip) {
-  return bad_input("no clip \"{}\": motion libraries{} cannot be read yet; name a motion file, such as \"{}.bvh\"", clip,
-                   library.empty() ? "" : fmt::format(" such as {}", library.string()), clip);
+  return bad_input("no clip \"{}\": motion libraries{} cannot be read yet; name a motion file, such as \"{}.bvh\"",
+                   clip, library.empty() ? "" : fmt::format(" such as {}", library.string()), clip);
 }
 
 Result<StagedMotion> stage_motion(const MotionUse& use, const std::filesystem::path& library, const Model& model,

@@ -1,9 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
+#include "engine/app/built_in_model.h"
 #include "engine/app/stage.h"
-#include "engine/body/arm.h"
-#include "engine/body/figure.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/gltf_read.h"
@@ -107,13 +106,9 @@ std::string content_hash(Sha256& hash, const Model& model) {
 Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
   const std::string name = character.scene.model.string();
   if (is_built_in_model(name)) {
-    if (name == "builtin:figure") {
-      auto figure = build_figure({});
-      if (!figure) return pass_on(std::move(figure));
-      character.model = std::make_unique<Model>(std::move(*figure));
-    } else {
-      character.model = std::make_unique<Model>(make_arm());
-    }
+    auto built = built_in_model(name);
+    if (!built) return pass_on(std::move(built));
+    character.model = std::make_unique<Model>(std::move(*built));
     character.model_hash = name;
     return {};
   }

@@ -33,15 +33,15 @@ struct Colour {
 /// (engine/definitions.md 6 and 7). Without a preset all but driver, tip and rest_angle are there.
 struct MuscleSpec {
   std::optional<MusclePreset> preset;
-  std::optional<MuscleSide> side;         ///< there exactly where a preset is
-  std::optional<std::string> name;        ///< absent: "biceps_left" and so on
-  std::optional<std::string> bone;        ///< joint whose segment carries the muscle
-  std::optional<std::string> child;       ///< joint at the segment's far end
-  std::optional<std::string> driver;      ///< joint whose bending drives it; absent without a preset: `child`
-  std::optional<std::string> before;      ///< joint that the driver's angle is measured from; absent: its parent
-  std::optional<std::string> tip;         ///< joint beyond the driver; absent: the next on the chain
+  std::optional<MuscleSide> side;     ///< there exactly where a preset is
+  std::optional<std::string> name;    ///< absent: "biceps_left" and so on
+  std::optional<std::string> bone;    ///< joint whose segment carries the muscle
+  std::optional<std::string> child;   ///< joint at the segment's far end
+  std::optional<std::string> driver;  ///< joint whose bending drives it; absent without a preset: `child`
+  std::optional<std::string> before;  ///< joint that the driver's angle is measured from; absent: its parent
+  std::optional<std::string> tip;     ///< joint beyond the driver; absent: the next on the chain
   std::optional<std::vector<std::string>> except;  ///< joints below `bone` that are not the segment's; absent: none
-  std::optional<Vec3> facing;             ///< towards the belly, any length but 0
+  std::optional<Vec3> facing;                      ///< towards the belly, any length but 0
   std::optional<double> from, to;         ///< along the segment, 0 at `bone`, 1 at `child`; within -1..2, from < to
   std::optional<double> spread;           ///< degrees to either side of `facing`, 0..180
   std::optional<double> peak;             ///< swelling at the centre at the reference angle; negative: a hollow

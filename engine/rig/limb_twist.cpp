@@ -72,8 +72,7 @@ void share_twist(const Model& model, const TwistSegment& segment, std::span<cons
   // What the twisting joint would do if it only followed the one above it.
   const int twisting = segment.upper ? segment.bone : segment.next;
   const int above = segment.upper ? model.nodes[at(segment.bone)].parent : segment.bone;
-  const Quat parent_turn =
-      above >= 0 ? rotations[at(above)] * glm::conjugate(rest[at(above)]) : Quat(1, 0, 0, 0);
+  const Quat parent_turn = above >= 0 ? rotations[at(above)] * glm::conjugate(rest[at(above)]) : Quat(1, 0, 0, 0);
   const Quat turn = rotations[at(twisting)] * glm::conjugate(rest[at(twisting)]);
   // In rest coordinates, where the segment's axis is `along`.
   const double twist = twist_degrees(glm::normalize(glm::conjugate(parent_turn) * turn), along) * degrees_to_radians;
