@@ -2,7 +2,7 @@
 
 #include "embedded/default_scene.h"
 #include "engine/app/stage.h"
-#include "engine/body/arm.h"
+#include "engine/body/built_in_model.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/gltf_read.h"
@@ -100,7 +100,9 @@ std::string content_hash(Sha256& hash, const Model& model) {
 Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
   const std::string name = character.scene.model.string();
   if (is_built_in_model(name)) {
-    character.model = std::make_unique<Model>(make_arm());
+    auto model = built_in_model(name);
+    if (!model) return pass_on(std::move(model));
+    character.model = std::make_unique<Model>(std::move(*model));
     character.model_hash = name;
     return {};
   }

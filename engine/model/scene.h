@@ -22,6 +22,10 @@ enum class MusclePreset { biceps, calf, triceps, forearm_flexors, quadriceps, ha
 enum class Expression { neutral, smile, laugh, anger, surprise, shout, fear, sadness, doubt, disgust };
 enum class View { front, back, left, right, top, three_quarter };
 enum class Shading { lit, flat, clay, normals, weights, bulge, depth };
+enum class Overlay { skeleton, bones, muscles, arrows, projection, box, axes, wire, wire_all };
+enum class CompareWith { none, bulge, deformer, overlay };
+enum class ComparisonPlace { panels, inset };
+enum class MusclePlot { none, angle, profile };
 
 /// sRGB, 8 bits a channel, not premultiplied.
 struct Colour {
@@ -33,15 +37,15 @@ struct Colour {
 /// (engine/definitions.md 6 and 7). Without a preset all but driver, tip and rest_angle are there.
 struct MuscleSpec {
   std::optional<MusclePreset> preset;
-  std::optional<MuscleSide> side;         ///< there exactly where a preset is
-  std::optional<std::string> name;        ///< absent: "biceps_left" and so on
-  std::optional<std::string> bone;        ///< joint whose segment carries the muscle
-  std::optional<std::string> child;       ///< joint at the segment's far end
-  std::optional<std::string> driver;      ///< joint whose bending drives it; absent without a preset: `child`
-  std::optional<std::string> before;      ///< joint that the driver's angle is measured from; absent: its parent
-  std::optional<std::string> tip;         ///< joint beyond the driver; absent: the next on the chain
+  std::optional<MuscleSide> side;     ///< there exactly where a preset is
+  std::optional<std::string> name;    ///< absent: "biceps_left" and so on
+  std::optional<std::string> bone;    ///< joint whose segment carries the muscle
+  std::optional<std::string> child;   ///< joint at the segment's far end
+  std::optional<std::string> driver;  ///< joint whose bending drives it; absent without a preset: `child`
+  std::optional<std::string> before;  ///< joint that the driver's angle is measured from; absent: its parent
+  std::optional<std::string> tip;     ///< joint beyond the driver; absent: the next on the chain
   std::optional<std::vector<std::string>> except;  ///< joints below `bone` that are not the segment's; absent: none
-  std::optional<Vec3> facing;             ///< towards the belly, any length but 0
+  std::optional<Vec3> facing;                      ///< towards the belly, any length but 0
   std::optional<double> from, to;         ///< along the segment, 0 at `bone`, 1 at `child`; within -1..2, from < to
   std::optional<double> spread;           ///< degrees to either side of `facing`, 0..180
   std::optional<double> peak;             ///< swelling at the centre at the reference angle; negative: a hollow
@@ -84,7 +88,7 @@ using MotionChoice = std::variant<LibraryClip, std::filesystem::path>;
 
 /// One model and all that happens to it. What moves a joint, later over earlier: rest pose, clip, motion, keys.
 struct Character {
-  std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:arm")
+  std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:woman")
   std::optional<ClipChoice> clip;                         ///< absent: the scene does not say
   std::optional<MotionChoice> motion;                     ///< absent: none
   Keyed<Vec3> position = Keyed<Vec3>::constant(Vec3(0));  ///< of the model's origin
@@ -108,12 +112,28 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// Pictures of a sequence in one, row by row.
+struct Grid {
+  int columns = 1, rows = 1;
+  bool operator==(const Grid&) const = default;
+};
+constexpr int most_grid_places = 400;
+
 struct Look {
   Shading shading = Shading::lit;
   std::string joint;                          ///< whose weights Shading::weights shows; empty elsewhere
   bool shadows = true;                        ///< the key light throws shadows
   bool floor = true;                          ///< shadows fall on a floor under the characters
   Colour background{0xd8, 0xd8, 0xd8, 0xff};  ///< alpha 0: transparent
+
+  // What a picture shows beyond the characters: engine/app/figure.h.
+  std::vector<Overlay> overlay;                          ///< no two alike
+  CompareWith compare = CompareWith::none;               ///< with what the picture is shown together
+  ComparisonPlace compare_as = ComparisonPlace::panels;  ///< side by side, or at the lower right
+  std::string zoom;                                      ///< joint or muscle that an inset shows near by; empty: none
+  MusclePlot plot = MusclePlot::none;                    ///< a diagram beside the picture
+  std::optional<Grid> sheet;                             ///< evenly spaced frames in one picture
+  std::vector<std::string> captions;                     ///< of the sheet's pictures; absent ones: the frame
 
   bool operator==(const Look&) const = default;
 };
