@@ -17,38 +17,40 @@ GoldenPicture on_floor(std::string name, Arguments arguments) {
 }
 
 const std::vector<GoldenPicture> goldens{
-    {"straight", {"--frame", "0"}},
-    {"half_way", {"--frame", "24"}},
-    {"curled", {"--frame", "47"}},
-    {"curled_without_bulge", {"--frame", "47", "--bulge", "off"}},
-    {"curled_paper", {"--frame", "47", "--bulge", "paper"}},
-    {"curled_rigid", {"--frame", "47", "--deformer", "rigid"}},
+    // The embedded scene.
+    {"embedded", {std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json", "--frame", "47"}},
+    {"straight", {arm_scene, "--frame", "0"}},
+    {"half_way", {arm_scene, "--frame", "24"}},
+    {"curled", {arm_scene, "--frame", "47"}},
+    {"curled_without_bulge", {arm_scene, "--frame", "47", "--bulge", "off"}},
+    {"curled_paper", {arm_scene, "--frame", "47", "--bulge", "paper"}},
+    {"curled_rigid", {arm_scene, "--frame", "47", "--deformer", "rigid"}},
     // The scene says where its camera stands; here the program frames the arm.
     {"view_front", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "front"}},
     {"view_back", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "back"}},
     {"view_top", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "top"}},
     {"view_left", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "left"}},
     {"view_three_quarter", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "three-quarter"}},
-    {"orbit", {"--frame", "30", "--orbit", "20"}},
-    {"twisted", {"--frame", "0", "--pose", "leftLowerArm=60,-70,0"}},
-    {"shading_flat", {"--frame", "40", "--shading", "flat"}},
-    {"shading_clay", {"--frame", "40", "--shading", "clay"}},
-    {"shading_normals", {"--frame", "40", "--shading", "normals"}},
-    {"shading_bulge", {"--frame", "40", "--shading", "bulge"}},
-    {"shading_weights", {"--frame", "40", "--shading", "weights", "--joint", "leftLowerArm"}},
+    {"orbit", {arm_scene, "--frame", "30", "--orbit", "20"}},
+    {"twisted", {arm_scene, "--frame", "0", "--pose", "leftLowerArm=60,-70,0"}},
+    {"shading_flat", {arm_scene, "--frame", "40", "--shading", "flat"}},
+    {"shading_clay", {arm_scene, "--frame", "40", "--shading", "clay"}},
+    {"shading_normals", {arm_scene, "--frame", "40", "--shading", "normals"}},
+    {"shading_bulge", {arm_scene, "--frame", "40", "--shading", "bulge"}},
+    {"shading_weights", {arm_scene, "--frame", "40", "--shading", "weights", "--joint", "leftLowerArm"}},
     // An arm is not deep: three dozen greys.
-    {.name = "shading_depth", .arguments = {"--frame", "40", "--shading", "depth"}, .colours = 20},
+    {.name = "shading_depth", .arguments = {arm_scene, "--frame", "40", "--shading", "depth"}, .colours = 20},
     // Four samples a pixel put silhouettes between two colours, where a sample that flips changes a quarter of the
     // difference; the share stays as it is, since no more pixels are touched.
-    {"smooth_edges", {"--frame", "40", "--samples", "4"}},
-    {"transparent", {"--frame", "40", "--background", "transparent"}},
-    {"without_shadows", {"--frame", "40", "--shadows", "off"}},
-    on_floor("floor", {"--frame", "40"}),
+    {"smooth_edges", {arm_scene, "--frame", "40", "--samples", "4"}},
+    {"transparent", {arm_scene, "--frame", "40", "--background", "transparent"}},
+    {"without_shadows", {arm_scene, "--frame", "40", "--shadows", "off"}},
+    on_floor("floor", {arm_scene, "--frame", "40"}),
     on_floor("floor_from_above", {"builtin:arm", "--pose", "leftLowerArm=0,-90,0", "--view", "three-quarter"}),
-    on_floor("floor_without_shadows", {"--frame", "40", "--shadows", "off"}),
+    on_floor("floor_without_shadows", {arm_scene, "--frame", "40", "--shadows", "off"}),
     // Lines are drawn with soft edges, whose shares of a pixel are rounded to 255ths before they are blended.
-    {"wire", {"--frame", "40", "--overlay", "wire"}},
-    {"wire_all", {"--frame", "40", "--overlay", "wire-all"}},
+    {"wire", {arm_scene, "--frame", "40", "--overlay", "wire"}},
+    {"wire_all", {arm_scene, "--frame", "40", "--overlay", "wire-all"}},
 };
 
 class Golden : public GoldenTest, public testing::WithParamInterface<GoldenPicture> {};
@@ -76,21 +78,22 @@ struct Mutant {
 };
 
 const std::vector<Mutant> mutants{
-    {{"--frame", "47"}, {"--frame", "47", "--bulge", "off"}},
-    {{"--frame", "47"}, {"--frame", "47", "--deformer", "rigid"}},
-    {{"--frame", "47"}, {"--frame", "47", "--pose", "leftLowerArm=0,-128,0"}},
-    {{"--frame", "47"}, {"--frame", "47", "--orbit", "5"}},
-    {{"--frame", "47"}, {"--frame", "47", "--view", "top"}},
-    {{"--frame", "47"}, {"--frame", "47", "--shading", "normals"}},
-    {{"--frame", "47"}, {"--frame", "47", "--shading", "clay"}},
-    {{"--frame", "47"}, {"--frame", "47", "--background", "#d0d0d0"}},
-    {{"--frame", "40"}, {"--frame", "40", "--shadows", "off"}},
-    {{"--frame", "40", "--floor", "on"}, {"--frame", "40", "--floor", "on", "--shadows", "off"}},
-    {{"--frame", "40", "--overlay", "wire"}, {"--frame", "40", "--overlay", "wire-all"}},
-    {{"--frame", "47"}, {"--frame", "47", "--background", "transparent"}},
-    {{"--frame", "24"}, {"--frame", "23"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--bulge", "off"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--deformer", "rigid"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--pose", "leftLowerArm=0,-128,0"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--orbit", "5"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--view", "top"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--shading", "normals"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--shading", "clay"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--background", "#d0d0d0"}},
+    {{arm_scene, "--frame", "40"}, {arm_scene, "--frame", "40", "--shadows", "off"}},
+    {{arm_scene, "--frame", "40", "--floor", "on"}, {arm_scene, "--frame", "40", "--floor", "on", "--shadows", "off"}},
+    {{arm_scene, "--frame", "40", "--overlay", "wire"}, {arm_scene, "--frame", "40", "--overlay", "wire-all"}},
+    {{arm_scene, "--frame", "47"}, {arm_scene, "--frame", "47", "--background", "transparent"}},
+    {{arm_scene, "--frame", "24"}, {arm_scene, "--frame", "23"}},
     // How high the muscle stands is what this shading shows; light on the skin hides a fifth of it.
-    {{"--frame", "47", "--shading", "bulge"}, {"--frame", "47", "--shading", "bulge", "--strength", "0.8"}},
+    {{arm_scene, "--frame", "47", "--shading", "bulge"},
+     {arm_scene, "--frame", "47", "--shading", "bulge", "--strength", "0.8"}},
 };
 
 TEST_F(GoldenFolder, ToleranceTellsMutantsApart) {
