@@ -12,7 +12,7 @@ struct Words {
   CommonOptions common;
   SceneWords scene;
   LookWords look;
-  std::string output, shard, overlay, compare, zoom, sheet;
+  std::string output, shard, overlay, compare, compare_as, zoom, plot, sheet;
   int turntable = 0;
   bool resume = false;
 };
@@ -67,8 +67,18 @@ Result<FigureOptions> figure_options(const Words& words) {
   if (words.turntable > 0 && figure.sheet)
     return failure(ErrorKind::usage, "--turntable and --sheet: give one of them");
   figure.turntable = words.turntable;
-  figure.compare = words.compare;
-  figure.zoom = words.zoom;
+  if (!words.compare.empty()) figure.compare = words.compare;
+  if (!words.compare_as.empty()) {
+    auto place = parse_comparison_place(words.compare_as);
+    if (!place) return pass_on(std::move(place));
+    figure.compare_as = *place;
+  }
+  if (!words.zoom.empty()) figure.zoom = words.zoom;
+  if (!words.plot.empty()) {
+    auto plot = parse_muscle_plot(words.plot);
+    if (!plot) return pass_on(std::move(plot));
+    figure.plot = *plot;
+  }
   return figure;
 }
 
@@ -156,10 +166,15 @@ void add_render(CLI::App& program, Run& run) {
                    "x.png, x_####.png for several frames, or a film: x.mp4, x.webm, x.gif")
       ->required();
   add_look_options(*command, words->look);
-  command->add_option("--overlay", words->overlay,
-                      "Drawn over the picture: wire or wire-all, skeleton, muscles, box, axes, by commas");
-  command->add_option("--compare", words->compare, "Panels side by side: bulge, deformer, or another scene or model");
-  command->add_option("--zoom", words->zoom, "An inset near this joint");
+  command->add_option(
+      "--overlay", words->overlay,
+      "Drawn over the picture, by commas: wire or wire-all, skeleton, bones, muscles, arrows, projection, box, axes");
+  command->add_option("--compare", words->compare,
+                      "Panels side by side: bulge, deformer, overlay, or another scene or model");
+  command->add_option("--compare-as", words->compare_as, "panels, or inset: the second panel at the lower right");
+  command->add_option("--zoom", words->zoom, "An inset near this joint or muscle, at the upper right");
+  command->add_option("--plot", words->plot,
+                      "A diagram beside the picture: angle (the muscles' heights by it) or profile (along the limb)");
   command->add_option("--sheet", words->sheet, "COLUMNSxROWS: that many of the frames in one picture");
   command->add_option("--turntable", words->turntable, "So many pictures round the first selected frame");
   command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");

@@ -10,5 +10,5 @@ cmake --build build/release
 mkdir -p out
 build/release/sinew render -o out/curl_####.png
 echo
-echo "The pictures are in $PWD/out: curl_0000.png to curl_0047.png, an arm that curls while its biceps swells."
+echo "The pictures are in $PWD/out: curl_0000.png to curl_0047.png, a woman who curls an arm while its biceps swells."
 echo "Try: build/release/sinew render YOUR_CHARACTER.glb -o out/character.png"

@@ -282,13 +282,14 @@ Result<void> check_output(const CaptureOptions& options) {
 
 Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureOptions& options) {
   const bool film = is_film(options.output);
-  const bool whole_range = film || has_frame_pattern(options.output) || options.figure.sheet;
+  const FigureLook figure = figure_look(options.figure, stage.scene.look);
+  const bool whole_range = film || has_frame_pattern(options.output) || figure.sheet;
   const std::vector<int> frames = selected_frames(stage, options.scene, !whole_range);
   if (auto ok = check_writable(frame_file_name(options.output, frames.front())); !ok) return pass_on(std::move(ok));
   if (auto ok = check_not_an_input(stage, options.output); !ok) return pass_on(std::move(ok));
   remove_stale_temporaries(options.output);
   Outcome outcome;
-  auto maker = FigureMaker::create(device, stage, options.scene, options.look, options.figure, outcome.report.problems);
+  auto maker = FigureMaker::create(device, stage, options.scene, options.look, figure, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));
   const std::vector<int> numbers = shard_of(maker->numbers(frames), options.shard);
   const Draw draw = [&](int number) { return maker->picture(number, frames); };

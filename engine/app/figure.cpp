@@ -4,42 +4,46 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/app/muscle_plot.h"
 #include "engine/app/panel.h"
-#include "engine/core/text.h"
 
 namespace sinew {
 namespace {
 
 constexpr int gutter = 8;
-constexpr int most_grid_places = 400;
 
 /// What a panel shows, before it is made.
 struct PanelPlan {
   const Stage* stage = nullptr;
   SceneOptions scene;
+  FigureLook figure;
   std::string label;
 };
 
 std::string short_name(const Stage& stage) { return std::filesystem::path(stage.source).filename().string(); }
 
-std::vector<PanelPlan> plan_panels(const Stage& stage, const SceneOptions& scene, const FigureOptions& figure,
+std::vector<PanelPlan> plan_panels(const Stage& stage, const SceneOptions& scene, const FigureLook& figure,
                                    const Stage* other) {
-  std::vector<PanelPlan> plans{{&stage, scene, ""}};
-  if (figure.compare.empty()) return plans;
+  std::vector<PanelPlan> plans{{&stage, scene, figure, ""}};
+  if (figure.compare == CompareWith::none && other == nullptr) return plans;
   plans.push_back(plans.front());
-  if (figure.compare == "bulge") {
+  if (other != nullptr) {
+    plans[1].stage = other;
+    plans[0].label = short_name(stage);
+    plans[1].label = short_name(*other);
+  } else if (figure.compare == CompareWith::bulge) {
     if (scene.bulge == BulgeMode::off) plans[0].scene.bulge = BulgeMode::on;
     plans[1].scene.bulge = BulgeMode::off;
     plans[0].label = "with bulge";
     plans[1].label = "without bulge";
-  } else if (figure.compare == "deformer") {
+  } else if (figure.compare == CompareWith::deformer) {
     plans[0].scene.deformer = Deformer::rigid;
     plans[1].scene.deformer = Deformer::ssd;
     for (PanelPlan& plan : plans) plan.label = deformer_name(plan.scene.deformer);
   } else {
-    plans[1].stage = other;
-    plans[0].label = short_name(stage);
-    plans[1].label = short_name(*other);
+    plans[1].figure.overlay = {};
+    plans[0].label = overlay_words(figure.overlay);
+    plans[1].label = deformer_name(scene.deformer);
   }
   return plans;
 }
@@ -76,27 +80,53 @@ struct FigureMaker::Impl {
   std::unique_ptr<Stage> other;  ///< the scene that is compared with
   std::vector<PanelMaker> panels;
   std::vector<std::string> labels;
-  FigureOptions figure;
-  PictureSize size, frame_size;  ///< of the whole, and of one frame's panels together
+  FigureLook figure;
+  std::optional<MusclePlotMaker> plot;
+  PictureSize size, frame_size, panel_size;  ///< of the whole, of one frame's panels together, and of one of them
   std::array<std::uint8_t, 4> background{};
   std::optional<Font> font;
 
+  Result<void> make_panels(Device& device, const std::vector<PanelPlan>& plans, const LookOptions& look,
+                           std::vector<std::string>& problems);
+
   const Font* font_or_null() const { return font ? &*font : nullptr; }
 
+  Result<std::vector<Picture>> panel_pictures(int frame, double orbit);
   Result<Picture> row(int frame, double orbit);
   Result<Picture> contact_sheet(const std::vector<int>& frames);
 };
 
-Result<Picture> FigureMaker::Impl::row(int frame, double orbit) {
+/// The panels of one frame. A comparison that is an inset is already in the first.
+Result<std::vector<Picture>> FigureMaker::Impl::panel_pictures(int frame, double orbit) {
   std::vector<Picture> pictures;
   for (PanelMaker& panel : panels) {
-    auto picture = panel.picture(frame, orbit, font_or_null());
-    if (!picture) return picture;
+    const bool inset = !pictures.empty() && figure.compare_as == ComparisonPlace::inset;
+    auto picture = inset && panel.has_near_picture() ? panel.near_picture(frame, orbit, font_or_null())
+                                                     : panel.picture(frame, orbit, font_or_null());
+    if (!picture) return pass_on(std::move(picture));
+    if (!inset) {
+      pictures.push_back(std::move(*picture));
+      continue;
+    }
+    const InsetOptions options{.corner = Corner::lower_right, .label = labels[1]};
+    if (auto ok = add_inset(pictures[0], *picture, options, font_or_null()); !ok) return pass_on(std::move(ok));
+  }
+  if (plot) {
+    auto picture = plot->picture(frame, panel_size, *font);
+    if (!picture) return pass_on(std::move(picture));
     pictures.push_back(std::move(*picture));
   }
-  if (pictures.size() == 1) return std::move(pictures.front());
+  return pictures;
+}
+
+Result<Picture> FigureMaker::Impl::row(int frame, double orbit) {
+  auto pictures = panel_pictures(frame, orbit);
+  if (!pictures) return pass_on(std::move(pictures));
+  if (pictures->size() == 1) return std::move(pictures->front());
   std::vector<Panel> cells;
-  for (std::size_t i = 0; i < pictures.size(); ++i) cells.push_back({&pictures[i], labels[i]});
+  for (std::size_t i = 0; i < pictures->size(); ++i)
+    cells.push_back(
+        {&(*pictures)[i], figure.compare_as == ComparisonPlace::panels && i < labels.size() ? labels[i] : ""});
   auto laid_out = sheet(cells, {.gutter = gutter}, font_or_null());
   if (!laid_out) return laid_out;
   return centred(*laid_out, frame_size, background);
@@ -114,7 +144,8 @@ Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames)
     auto picture = row(frame, 0.0);
     if (!picture) return picture;
     pictures.push_back(std::move(*picture));
-    names.push_back(fmt::format("frame {}", frame));
+    const bool named = std::size_t(i) < figure.captions.size();
+    names.push_back(named ? figure.captions[std::size_t(i)] : fmt::format("frame {}", frame));
   }
   std::vector<Panel> cells;
   for (std::size_t i = 0; i < pictures.size(); ++i) cells.push_back({&pictures[i], names[i]});
@@ -123,74 +154,57 @@ Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames)
   return centred(*laid_out, size, background);
 }
 
-Result<OverlayOptions> parse_overlay(std::string_view text) {
-  OverlayOptions overlay;
-  const std::pair<const char*, bool*> words[] = {
-      {"skeleton", &overlay.skeleton}, {"muscles", &overlay.muscles}, {"box", &overlay.box}, {"axes", &overlay.axes}};
-  std::vector<std::string> known;
-  for (const auto& [word, flag] : words) known.emplace_back(word);
-  known.insert(known.end(), {"wire", "wire-all"});
-  for (const std::string& asked : split(text, ',')) {
-    if (asked == "guides" || asked == "regions")
-      return failure(ErrorKind::usage, "--overlay {}: does not exist yet; expected some of {}", asked,
-                     fmt::join(known, ", "));
-    const auto found = std::find(known.begin(), known.end(), asked);
-    if (found == known.end())
-      return failure(ErrorKind::usage, "--overlay {}: expected some of {}, separated by commas{}", asked,
-                     fmt::join(known, ", "), did_you_mean(asked, known));
-    if (asked == "wire" || asked == "wire-all")
-      overlay.wire = asked == "wire" ? WireMode::visible : WireMode::all;
-    else
-      *words[found - known.begin()].second = true;
-  }
-  return overlay;
-}
-
-Result<Grid> parse_grid(std::string_view text) {
-  const std::vector<std::string> parts = split(text, 'x');
-  if (parts.size() == 2) {
-    const auto columns = parse_integer(parts[0]), rows = parse_integer(parts[1]);
-    if (columns && rows && *columns > 0 && *rows > 0 && *columns <= most_grid_places && *rows <= most_grid_places &&
-        *columns * *rows <= most_grid_places)
-      return Grid{static_cast<int>(*columns), static_cast<int>(*rows)};
-  }
-  return failure(ErrorKind::usage, "--sheet {}: expected COLUMNSxROWS, at most {} places", text, most_grid_places);
-}
-
 FigureMaker::FigureMaker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 FigureMaker::FigureMaker(FigureMaker&&) noexcept = default;
 FigureMaker::~FigureMaker() = default;
 
+Result<void> FigureMaker::Impl::make_panels(Device& device, const std::vector<PanelPlan>& plans,
+                                            const LookOptions& look, std::vector<std::string>& problems) {
+  const bool inset = figure.compare_as == ComparisonPlace::inset;
+  for (const PanelPlan& plan : plans) {
+    LookOptions panel_look = look;
+    panel_look.size = panel_size;
+    if (inset && !panels.empty() && figure.zoom.empty()) panel_look.size = inset_size(panel_size);
+    std::vector<std::string> found;
+    auto panel = PanelMaker::create(device, *plan.stage, plan.scene, panel_look, plan.figure, found);
+    if (!panel) return pass_on(std::move(panel));
+    if (panels.empty() || plan.stage != plans[0].stage) problems.insert(problems.end(), found.begin(), found.end());
+    if (inset && plans.size() > 1) panel->name_inset(panels.empty() ? plan.label : "");
+    panels.push_back(std::move(*panel));
+    labels.push_back(plan.label);
+  }
+  return {};
+}
+
 Result<FigureMaker> FigureMaker::create(Device& device, const Stage& stage, const SceneOptions& scene,
-                                        const LookOptions& look, const FigureOptions& figure,
+                                        const LookOptions& look, const FigureLook& figure,
                                         std::vector<std::string>& problems) {
   auto impl = std::make_unique<Impl>();
   impl->figure = figure;
   impl->size = look.size;
   impl->background = background_bytes(stage, look);
-  const bool with_other = !figure.compare.empty() && figure.compare != "bulge" && figure.compare != "deformer";
-  if (with_other) {
+  if (!figure.other.empty()) {
     SceneOptions other = scene;
-    other.scene = figure.compare;
+    other.scene = figure.other;
     auto opened = open_stage(other);
-    if (!opened) return bad_input("--compare {}: {}", figure.compare, opened.error().message);
+    if (!opened) return bad_input("--compare {}: {}", figure.other, opened.error().message);
     problems.insert(problems.end(), opened->problems.begin(), opened->problems.end());
     impl->other = std::make_unique<Stage>(std::move(*opened));
+  }
+  if (figure.compare == CompareWith::overlay && figure.overlay == OverlayOptions{})
+    return bad_input("--compare overlay: no overlay is drawn; name some with --overlay or in the scene's look");
+  if (figure.plot != MusclePlot::none) {
+    auto plot = MusclePlotMaker::create(stage, figure.plot, scene.bulge);
+    if (!plot) return pass_on(std::move(plot));
+    impl->plot = std::move(*plot);
   }
   const std::vector<PanelPlan> plans = plan_panels(stage, scene, figure, impl->other.get());
   const Grid grid = figure.sheet.value_or(Grid{});
   impl->frame_size = panel_size(look.size, grid.columns, grid.rows);
-  LookOptions panel_look = look;
-  panel_look.size = panel_size(impl->frame_size, static_cast<int>(plans.size()), 1);
-  for (const PanelPlan& plan : plans) {
-    std::vector<std::string> found;
-    auto panel = PanelMaker::create(device, *plan.stage, plan.scene, panel_look, figure, found);
-    if (!panel) return pass_on(std::move(panel));
-    if (impl->panels.empty() || plan.stage != &stage) problems.insert(problems.end(), found.begin(), found.end());
-    impl->panels.push_back(std::move(*panel));
-    impl->labels.push_back(plan.label);
-  }
-  if (figure.overlay.painted() || figure.sheet || plans.size() > 1 || !figure.zoom.empty()) {
+  const std::size_t side_by_side = figure.compare_as == ComparisonPlace::inset ? 1 : plans.size();
+  impl->panel_size = panel_size(impl->frame_size, static_cast<int>(side_by_side) + (impl->plot ? 1 : 0), 1);
+  if (auto ok = impl->make_panels(device, plans, look, problems); !ok) return pass_on(std::move(ok));
+  if (figure.overlay.painted() || figure.sheet || plans.size() > 1 || !figure.zoom.empty() || impl->plot) {
     auto font = Font::find();
     if (!font) return pass_on(std::move(font));
     impl->font = std::move(*font);
@@ -207,15 +221,13 @@ std::vector<int> FigureMaker::numbers(const std::vector<int>& frames) const {
 }
 
 std::string FigureMaker::recipe(const std::vector<int>& frames) const {
-  const FigureOptions& figure = impl_->figure;
+  const FigureLook& figure = impl_->figure;
   nlohmann::ordered_json json;
-  json["overlay"] = {figure.overlay.skeleton, figure.overlay.muscles, figure.overlay.box, figure.overlay.axes,
-                     static_cast<int>(figure.overlay.wire)};
-  json["compare"] = impl_->other ? impl_->other->scene_hash : figure.compare;
+  json["figure"] = figure_text(figure);
+  if (impl_->other) json["other"] = impl_->other->scene_hash;
   json["labels"] = impl_->labels;
-  json["zoom"] = figure.zoom;
-  if (figure.sheet) json["sheet"] = {figure.sheet->columns, figure.sheet->rows, frames};
-  if (figure.turntable > 0) json["turntable"] = {figure.turntable, frames.front()};
+  if (figure.sheet) json["frames"] = frames;
+  if (figure.turntable > 0) json["first"] = frames.front();
   return json.dump();
 }
 

@@ -1,6 +1,6 @@
 #include "engine/app/motion_export.h"
 
-#include "engine/app/built_in_model.h"
+#include "engine/body/built_in_model.h"
 #include "engine/core/text.h"
 #include "engine/io/bvh.h"
 #include "engine/io/gltf_read.h"

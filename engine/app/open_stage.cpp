@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
-#include "engine/app/built_in_model.h"
 #include "engine/app/stage.h"
+#include "engine/body/built_in_model.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/gltf_read.h"
@@ -106,9 +106,9 @@ std::string content_hash(Sha256& hash, const Model& model) {
 Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
   const std::string name = character.scene.model.string();
   if (is_built_in_model(name)) {
-    auto built = built_in_model(name);
-    if (!built) return pass_on(std::move(built));
-    character.model = std::make_unique<Model>(std::move(*built));
+    auto model = built_in_model(name);
+    if (!model) return pass_on(std::move(model));
+    character.model = std::make_unique<Model>(std::move(*model));
     character.model_hash = name;
     return {};
   }

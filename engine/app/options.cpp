@@ -61,6 +61,14 @@ Result<View> parse_view(std::string_view text) { return parse_word<View>("--view
 
 Result<Shading> parse_shading(std::string_view text) { return parse_word<Shading>("--shading", text, shading_names()); }
 
+Result<ComparisonPlace> parse_comparison_place(std::string_view text) {
+  return parse_word<ComparisonPlace>("--compare-as", text, comparison_place_names());
+}
+
+Result<MusclePlot> parse_muscle_plot(std::string_view text) {
+  return parse_word<MusclePlot>("--plot", text, muscle_plot_names());
+}
+
 Result<bool> parse_switch(const char* option, std::string_view text) {
   constexpr std::array<std::string_view, 2> words{"off", "on"};
   return parse_word<bool>(option, text, words);

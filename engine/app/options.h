@@ -40,6 +40,8 @@ Result<Deformer> parse_deformer(std::string_view text);
 Result<BulgeMode> parse_bulge(std::string_view text);
 Result<View> parse_view(std::string_view text);
 Result<Shading> parse_shading(std::string_view text);
+Result<ComparisonPlace> parse_comparison_place(std::string_view text);
+Result<MusclePlot> parse_muscle_plot(std::string_view text);
 Result<bool> parse_switch(const char* option, std::string_view text);  ///< "on" or "off"
 Result<Colour> parse_background(std::string_view text);
 ClipChoice parse_clip(std::string_view text);

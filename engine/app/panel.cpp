@@ -5,12 +5,12 @@
 namespace sinew {
 namespace {
 
-/// Of the panel's height and width.
-constexpr double inset_share = 0.36;
+/// Of the panel's height and width: of an inset alone, and of one of two.
+constexpr double inset_share = 0.36, paired_inset_share = 0.44;
 
-Vec3 joint_position(const Stage& stage, const ZoomTarget& zoom, int frame) {
+Vec3 zoom_position(const Stage& stage, const ZoomTarget& zoom, int frame) {
   const CharacterState state = character_state(stage, zoom.character, frame);
-  return Vec3(character_placement(stage, zoom.character, frame) * state.global[zoom.node][3]);
+  return Vec3(character_placement(stage, zoom.character, frame) * state.global[zoom.node] * zoom.place);
 }
 
 /// World transforms of all nodes at a frame.
@@ -21,7 +21,7 @@ std::vector<Mat4> world_transforms(const Stage& stage, std::size_t character, in
   return world;
 }
 
-SkeletonOverlay skeleton_overlay(const StagedCharacter& character, std::vector<Mat4> world) {
+SkeletonOverlay skeleton_overlay(const StagedCharacter& character, std::vector<Mat4> world, bool named) {
   SkeletonOverlay overlay;
   overlay.global = std::move(world);
   std::set<int> joints;
@@ -29,18 +29,28 @@ SkeletonOverlay skeleton_overlay(const StagedCharacter& character, std::vector<M
   for (std::size_t i = 0; i < character.model->nodes.size(); ++i) {
     overlay.parents.push_back(character.model->nodes[i].parent);
     overlay.joints.push_back(joints.contains(static_cast<int>(i)));
-    overlay.names.push_back(character.model->nodes[i].name);
+    if (named) overlay.names.push_back(character.model->nodes[i].name);
   }
   return overlay;
 }
 
 }  // namespace
 
-Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& joint) {
+PictureSize inset_size(const PictureSize& whole) {
+  return {std::max(static_cast<int>(inset_share * whole.width), 1),
+          std::max(static_cast<int>(inset_share * whole.height), 1)};
+}
+
+Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name) {
   std::optional<Error> unknown;
   for (std::size_t i = 0; i < stage.characters.size(); ++i) {
     const StagedCharacter& character = stage.characters[i];
-    const auto node = find_joint(*character.model, character.humanoid, joint);
+    for (const PlacedMuscle& placed : character.muscles) {
+      if (placed.muscle.name != name) continue;
+      const Vec4 place = glm::inverse(character.rest.global[placed.muscle.bone]) * Vec4(placed.region.centre, 1.0);
+      return ZoomTarget{i, placed.muscle.bone, place, 0.5 * placed.region.plane.length};
+    }
+    const auto node = find_joint(*character.model, character.humanoid, name);
     if (!node) {
       unknown = node.error();
       continue;
@@ -52,26 +62,28 @@ Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& joint) {
     for (const int child : found.children)
       segment = std::max(segment, glm::length(here - Vec3(character.rest.global[child][3])));
     if (segment <= 0.0) segment = 0.1 * rest_bounds(stage).diagonal();
-    return ZoomTarget{i, *node, 0.75 * segment};
+    return ZoomTarget{i, *node, Vec4(0.0, 0.0, 0.0, 1.0), 0.75 * segment};
   }
-  return bad_input("--zoom {}: {}", joint, unknown ? unknown->message : "the scene has no character");
+  return bad_input("--zoom {}: {}", name, unknown ? unknown->message : "the scene has no character");
 }
 
 Result<PanelMaker> PanelMaker::create(Device& device, const Stage& stage, const SceneOptions& scene,
-                                      const LookOptions& look, const FigureOptions& figure,
+                                      const LookOptions& look, const FigureLook& figure,
                                       std::vector<std::string>& problems) {
   LookOptions whole_look = look;
   whole_look.wire = figure.overlay.wire;
   auto main = FrameMaker::create(device, stage, scene, whole_look, problems);
   if (!main) return pass_on(std::move(main));
   PanelMaker panel(stage, std::move(*main), scene, figure);
+  panel.inset_label_ = figure.zoom;
   if (figure.zoom.empty()) return panel;
   auto zoom = find_zoom(stage, figure.zoom);
   if (!zoom) return pass_on(std::move(zoom));
   panel.zoom_ = *zoom;
   LookOptions near_look = whole_look;
-  const int side = static_cast<int>(inset_share * std::min(look.size.width, look.size.height));
-  near_look.size = {std::max(side, 1), std::max(side, 1)};
+  const bool paired = figure.compare_as == ComparisonPlace::inset && figure.compares();
+  const double side = (paired ? paired_inset_share : inset_share) * std::min(look.size.width, look.size.height);
+  near_look.size = {std::max(static_cast<int>(side), 1), std::max(static_cast<int>(side), 1)};
   std::vector<std::string> repeated;
   auto near = FrameMaker::create(device, stage, scene, near_look, repeated);
   if (!near) return pass_on(std::move(near));
@@ -87,25 +99,30 @@ OverlayContent PanelMaker::content(int frame) const {
     const StagedCharacter& character = stage_->characters[i];
     const CharacterState state = character_state(*stage_, i, frame);
     const std::vector<Mat4> world = world_transforms(*stage_, i, frame, state);
-    if (figure_.overlay.skeleton) content.skeletons.push_back(skeleton_overlay(character, world));
-    if (!figure_.overlay.muscles && !figure_.overlay.box) continue;
+    if (figure_.overlay.skeleton || figure_.overlay.bones)
+      content.skeletons.push_back(skeleton_overlay(character, world, figure_.overlay.skeleton));
+    if (!figure_.overlay.of_muscles() && !figure_.overlay.box) continue;
     const DeformedVertices deformed = deform_on_cpu(character, state, scene_.deformer, scene_.bulge);
     for (const Vec3& p : deformed.positions) box.add(p);
-    if (!figure_.overlay.muscles) continue;
+    if (!figure_.overlay.of_muscles()) continue;
     for (std::size_t m = 0; m < character.muscles.size(); ++m) {
       const PlacedMuscle& placed = character.muscles[m];
       const Mat4 rest_to_world = world[placed.muscle.bone] * glm::inverse(character.rest.global[placed.muscle.bone]);
       content.muscles.push_back(posed_muscle(placed.muscle, placed.region, rest_to_world, deformed.positions,
                                              deformed.normals, state.activations[m]));
+      MuscleOverlay& shown = content.muscles.back();
+      shown.gaussian = figure_.overlay.muscles;
+      shown.arrows = figure_.overlay.arrows;
+      shown.projection = figure_.overlay.projection;
     }
   }
   if (figure_.overlay.box && !box.empty()) content.box = box;
   return content;
 }
 
-Result<Picture> PanelMaker::inset(int frame, double orbit, const Font* font) {
+Result<Picture> PanelMaker::near_picture(int frame, double orbit, const Font* font) {
   Shot shot = near_->shot(frame, orbit);
-  const Vec3 target = joint_position(*stage_, zoom_, frame);
+  const Vec3 target = zoom_position(*stage_, zoom_, frame);
   const double distance = zoom_.reach / std::tan(0.5 * vertical_field_of_view_degrees * degrees_to_radians);
   const Vec3 moved = target + distance * shot.viewpoint.back - shot.viewpoint.eye;
   shot.viewpoint.eye += moved;
@@ -125,9 +142,9 @@ Result<Picture> PanelMaker::picture(int frame, double orbit, const Font* font) {
   if (figure_.overlay.painted())
     if (auto ok = draw_overlay(*picture, font, shot.viewpoint, content(frame)); !ok) return pass_on(std::move(ok));
   if (!near_) return picture;
-  auto near = inset(frame, orbit, font);
+  auto near = near_picture(frame, orbit, font);
   if (!near) return near;
-  if (auto ok = add_inset(*picture, *near, {.label = figure_.zoom}, font); !ok) return pass_on(std::move(ok));
+  if (auto ok = add_inset(*picture, *near, {.label = inset_label_}, font); !ok) return pass_on(std::move(ok));
   return picture;
 }
 

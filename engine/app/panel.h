@@ -5,32 +5,40 @@
 
 namespace sinew {
 
-/// A near view of a joint, at the panel's upper right.
+/// A near view of a joint or a muscle, at the panel's upper right.
 struct ZoomTarget {
   std::size_t character = 0;
   int node = -1;
-  double reach = 0.0;  ///< half the height that is shown, world units
+  Vec4 place{0.0, 0.0, 0.0, 1.0};  ///< in the node's axes
+  double reach = 0.0;              ///< half the height that is shown, world units
 };
 
-/// The joint of that name, and how much round it is worth seeing: most of its longer neighbouring segment. Fails as
-/// bad_input with the nearest known name.
-Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& joint);
+/// The joint or muscle of that name, and how much round it is worth seeing: most of a joint's longer neighbouring
+/// segment, half of a muscle's. Fails as bad_input with the nearest known name of a joint.
+Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name);
+
+/// The size of a whole panel as an inset of another one.
+PictureSize inset_size(const PictureSize& whole);
 
 /// Draws one panel. Device and stage must outlive it.
 class PanelMaker {
  public:
   static Result<PanelMaker> create(Device& device, const Stage& stage, const SceneOptions& scene,
-                                   const LookOptions& look, const FigureOptions& figure,
+                                   const LookOptions& look, const FigureLook& figure,
                                    std::vector<std::string>& problems);
 
   /// `orbit`: degrees added to the camera's. `font` may be null where nothing is labelled.
   Result<Picture> picture(int frame, double orbit, const Font* font);
 
+  /// The near view alone, where there is one.
+  Result<Picture> near_picture(int frame, double orbit, const Font* font);
+  void name_inset(const std::string& label) { inset_label_ = label; }
+  bool has_near_picture() const { return near_.has_value(); }
+
  private:
-  PanelMaker(const Stage& stage, FrameMaker main, const SceneOptions& scene, const FigureOptions& figure)
+  PanelMaker(const Stage& stage, FrameMaker main, const SceneOptions& scene, const FigureLook& figure)
       : stage_(&stage), main_(std::move(main)), scene_(scene), figure_(figure) {}
 
-  Result<Picture> inset(int frame, double orbit, const Font* font);
   OverlayContent content(int frame) const;
 
   const Stage* stage_;
@@ -38,7 +46,8 @@ class PanelMaker {
   std::optional<FrameMaker> near_;
   ZoomTarget zoom_;
   SceneOptions scene_;
-  FigureOptions figure_;
+  FigureLook figure_;
+  std::string inset_label_;  ///< the joint's name, unless name_inset() says otherwise
 };
 
 }  // namespace sinew

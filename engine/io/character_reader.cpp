@@ -12,7 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path read_model(const JsonValue& value, const fs::path& folder) {
-  const std::string written = value.text("the path of a model (.glb, .gltf), or \"builtin:figure\"");
+  const std::string written =
+      value.text("the path of a model (.glb, .gltf), or a built-in one such as \"builtin:woman\"");
   if (is_built_in_model(written)) value.word(built_in_model_names());
   return resolved_path(written, folder);
 }
@@ -149,7 +150,8 @@ Character read_character(const JsonValue& value, const fs::path& folder) {
                                               "muscles", "keys", "expressions", "regions",  "emotion"};
   Character character;
   if (!value.expect_object(known)) return character;
-  if (const auto model = value.require("model", "the path of a model (.glb, .gltf), or \"builtin:figure\""))
+  if (const auto model =
+          value.require("model", "the path of a model (.glb, .gltf), or a built-in one such as \"builtin:woman\""))
     character.model = read_model(*model, folder);
   if (const auto clip = value.find("clip")) character.clip = read_clip(*clip);
   if (const auto motion = value.find("motion")) character.motion = read_motion(*motion, folder);

@@ -52,8 +52,48 @@ Colour read_colour(const JsonValue& value) {
   return colour.value_or(Colour{});
 }
 
+std::vector<Overlay> read_overlays(const JsonValue& value) {
+  std::vector<Overlay> overlays;
+  if (!value.expect_list(0, overlay_names().size(), "a list of overlays")) return overlays;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const auto overlay = static_cast<Overlay>(value.item(i).word(overlay_names()));
+    if (std::ranges::find(overlays, overlay) != overlays.end()) value.item(i).error("stands there twice");
+    overlays.push_back(overlay);
+  }
+  return overlays;
+}
+
+Grid read_grid(const JsonValue& value) {
+  if (!value.expect_list(2, 2, "[columns, rows]")) return {};
+  const Grid grid{value.item(0).integer(1, most_grid_places), value.item(1).integer(1, most_grid_places)};
+  if (grid.columns * grid.rows > most_grid_places)
+    value.error(fmt::format("expected at most {} places, found {} x {}", most_grid_places, grid.columns, grid.rows));
+  return grid;
+}
+
+std::vector<std::string> read_captions(const JsonValue& value) {
+  std::vector<std::string> captions;
+  if (!value.expect_list(1, most_grid_places, "a list of texts")) return captions;
+  for (std::size_t i = 0; i < value.size(); ++i) captions.push_back(value.item(i).text("a text"));
+  return captions;
+}
+
+/// What of the look makes a figure of a picture.
+void read_figure(const JsonValue& value, Look& look) {
+  if (const auto overlay = value.find("overlay")) look.overlay = read_overlays(*overlay);
+  if (const auto compare = value.find("compare"))
+    look.compare = static_cast<CompareWith>(compare->word(comparison_names()));
+  if (const auto place = value.find("compare_as"))
+    look.compare_as = static_cast<ComparisonPlace>(place->word(comparison_place_names()));
+  if (const auto zoom = value.find("zoom")) look.zoom = zoom->text("the name of a joint or a muscle");
+  if (const auto plot = value.find("plot")) look.plot = static_cast<MusclePlot>(plot->word(muscle_plot_names()));
+  if (const auto sheet = value.find("sheet")) look.sheet = read_grid(*sheet);
+  if (const auto captions = value.find("captions")) look.captions = read_captions(*captions);
+}
+
 Look read_look(const JsonValue& value) {
-  static const std::vector<std::string> known{"shading", "joint", "shadows", "floor", "background"};
+  static const std::vector<std::string> known{"shading", "joint",      "shadows", "floor", "background", "overlay",
+                                              "compare", "compare_as", "zoom",    "plot",  "sheet",      "captions"};
   Look look;
   if (!value.expect_object(known)) return look;
   if (const auto shading = value.find("shading")) look.shading = static_cast<Shading>(shading->word(shading_names()));
@@ -63,6 +103,7 @@ Look read_look(const JsonValue& value) {
   if (look.shading == Shading::weights && look.joint.empty())
     value.require("joint", "the joint whose weights are shown");
   if (const auto background = value.find("background")) look.background = read_colour(*background);
+  read_figure(value, look);
   return look;
 }
 

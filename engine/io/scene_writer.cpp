@@ -158,6 +158,18 @@ ordered_json camera_to_json(const Camera& camera) {
   return object;
 }
 
+/// What of the look makes a figure of a picture.
+void write_figure(ordered_json& object, const Look& look) {
+  const Look defaults;
+  for (const Overlay overlay : look.overlay) object["overlay"].push_back(word(overlay, overlay_names()));
+  if (look.compare != defaults.compare) object["compare"] = word(look.compare, comparison_names());
+  if (look.compare_as != defaults.compare_as) object["compare_as"] = word(look.compare_as, comparison_place_names());
+  if (!look.zoom.empty()) object["zoom"] = look.zoom;
+  if (look.plot != defaults.plot) object["plot"] = word(look.plot, muscle_plot_names());
+  if (look.sheet) object["sheet"] = ordered_json::array({look.sheet->columns, look.sheet->rows});
+  if (!look.captions.empty()) object["captions"] = look.captions;
+}
+
 }  // namespace
 
 std::string scene_text(const Scene& scene, const fs::path& folder) {
@@ -174,6 +186,7 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
                         {"background", colour_text(look.background)}};
     if (look.floor) document["look"]["floor"] = *look.floor;
     if (!look.joint.empty()) document["look"]["joint"] = look.joint;
+    write_figure(document["look"], look);
   }
   return readable_json(document);
 }

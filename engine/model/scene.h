@@ -22,6 +22,10 @@ enum class MusclePreset { biceps, calf, triceps, forearm_flexors, quadriceps, ha
 enum class Expression { neutral, smile, laugh, anger, surprise, shout, fear, sadness, doubt, disgust };
 enum class View { front, back, left, right, top, three_quarter };
 enum class Shading { lit, flat, clay, normals, weights, bulge, depth };
+enum class Overlay { skeleton, bones, muscles, arrows, projection, box, axes, wire, wire_all };
+enum class CompareWith { none, bulge, deformer, overlay };
+enum class ComparisonPlace { panels, inset };
+enum class MusclePlot { none, angle, profile };
 
 /// sRGB, 8 bits a channel, not premultiplied.
 struct Colour {
@@ -107,7 +111,7 @@ struct MotionUse {
 
 /// One model and all that happens to it. What moves a joint, later over earlier: rest pose, clip, motion, keys.
 struct Character {
-  std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:arm")
+  std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:woman")
   std::optional<ClipChoice> clip;                         ///< absent: the scene does not say
   std::optional<MotionUse> motion;                        ///< absent: none
   Keyed<Vec3> position = Keyed<Vec3>::constant(Vec3(0));  ///< of the model's origin
@@ -131,12 +135,28 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// Pictures of a sequence in one, row by row.
+struct Grid {
+  int columns = 1, rows = 1;
+  bool operator==(const Grid&) const = default;
+};
+constexpr int most_grid_places = 400;
+
 struct Look {
   Shading shading = Shading::lit;
   std::string joint;                          ///< whose weights Shading::weights shows; empty elsewhere
   bool shadows = true;                        ///< the key light throws shadows
   std::optional<bool> floor;                  ///< shadows fall on a floor; absent: unless the background is transparent
   Colour background{0xd8, 0xd8, 0xd8, 0xff};  ///< alpha 0: transparent
+
+  // What a picture shows beyond the characters: engine/app/figure.h.
+  std::vector<Overlay> overlay;                          ///< no two alike
+  CompareWith compare = CompareWith::none;               ///< with what the picture is shown together
+  ComparisonPlace compare_as = ComparisonPlace::panels;  ///< side by side, or at the lower right
+  std::string zoom;                                      ///< joint or muscle that an inset shows near by; empty: none
+  MusclePlot plot = MusclePlot::none;                    ///< a diagram beside the picture
+  std::optional<Grid> sheet;                             ///< evenly spaced frames in one picture
+  std::vector<std::string> captions;                     ///< of the sheet's pictures; absent ones: the frame
 
   bool operator==(const Look&) const = default;
 };

@@ -47,8 +47,30 @@ std::span<const std::string> key_blend_names() {
   return names;
 }
 
+std::span<const std::string> overlay_names() {
+  static const std::array<std::string, 9> names{"skeleton", "bones", "muscles", "arrows",  "projection",
+                                                "box",      "axes",  "wire",    "wire-all"};
+  return names;
+}
+
+std::span<const std::string> comparison_names() {
+  static const std::array<std::string, 4> names{"none", "bulge", "deformer", "overlay"};
+  return names;
+}
+
+std::span<const std::string> comparison_place_names() {
+  static const std::array<std::string, 2> names{"panels", "inset"};
+  return names;
+}
+
+std::span<const std::string> muscle_plot_names() {
+  static const std::array<std::string, 3> names{"none", "angle", "profile"};
+  return names;
+}
+
 std::span<const std::string> built_in_model_names() {
-  static const std::array<std::string, 2> names{"builtin:arm", "builtin:figure"};
+  static const std::array<std::string, 5> names{"builtin:arm", "builtin:figure", "builtin:skeleton", "builtin:woman",
+                                                "builtin:poser"};
   return names;
 }
 

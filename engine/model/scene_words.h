@@ -17,6 +17,10 @@ std::span<const std::string> expression_names();  ///< also the tags that a moti
 std::span<const std::string> view_names();
 std::span<const std::string> shading_names();
 std::span<const std::string> key_blend_names();
+std::span<const std::string> overlay_names();
+std::span<const std::string> comparison_names();
+std::span<const std::string> comparison_place_names();
+std::span<const std::string> muscle_plot_names();
 
 /// Models that need no file; a scene names them where a path could stand.
 std::span<const std::string> built_in_model_names();

@@ -38,7 +38,10 @@ struct MuscleOverlay {
   Vec3 normal{0.0};              ///< the plane's, unit length
   std::vector<Vec3> points;      ///< the region's vertices
   std::vector<Vec3> normals;     ///< [points] unit length, or empty
+  std::vector<Vec3> feet;        ///< [points] on the plane, or empty
+  bool gaussian = true;          ///< shows the plane, the centre and the ellipses of one and two sigmas
   bool arrows = false;           ///< shows normals as arrows instead of the vertices as dots
+  bool projection = false;       ///< shows the plane, the centre and the way from each point to its foot
 };
 
 /// Takes a muscle's plane and region from rest space into a pose. `rest_to_world` is what carries the muscle's bone:

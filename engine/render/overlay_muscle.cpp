@@ -61,27 +61,36 @@ MuscleOverlay posed_muscle(const Muscle& muscle, const MuscleRegion& region, con
   overlay.normal = unit_or(cofactor(linear) * plane.normal, plane.normal);
   for (const RegionVertex& v : region.vertices) {
     overlay.points.push_back(positions[v.vertex]);
+    overlay.feet.push_back(point(region.centre + v.x * plane.axis + v.y * plane.side));
     if (!normals.empty()) overlay.normals.push_back(normals[v.vertex]);
   }
   return overlay;
 }
 
-void OverlayPainter::muscle(const MuscleOverlay& muscle) {
+void OverlayPainter::muscle_plane(const MuscleOverlay& muscle) {
   const Contour plane = screen.polygon(muscle.plane);
   canvas.polygon(plane, faded(palette::plane, 0.16));
   polyline_3d(muscle.plane, {.colour = faded(palette::plane, 0.85), .width = line(1.4)}, true);
   for (std::size_t i = 0; i < plane.size(); ++i) layout.avoid(plane[i], plane[(i + 1) % plane.size()]);
+}
 
-  const std::vector<Vec3> one = ellipse_in_plane(muscle, 1.0), two = ellipse_in_plane(muscle, 2.0);
-  Extent extent;
-  for (const Vec3& p : two)
-    if (const auto seen = screen.point(p)) extent.add(seen->at);
-  const auto centre = screen.point(muscle.centre);
-  const double across = extent.left.x < extent.right.x ? glm::length(extent.box.size()) : 0.0;
+/// From each point to the plane.
+void OverlayPainter::muscle_feet(const MuscleOverlay& muscle, double dot) {
+  const std::size_t step = stride(muscle.points.size());
+  for (std::size_t i = 0; i < muscle.feet.size(); i += step)
+    line_3d(muscle.points[i], muscle.feet[i], {.colour = faded(palette::muscle, 0.45), .width = line(0.9)});
+  for (std::size_t i = 0; i < muscle.feet.size(); i += step)
+    if (const auto seen = screen.point(muscle.feet[i])) {
+      canvas.disc(seen->at, dot + line(0.5), palette::paper);
+      canvas.disc(seen->at, dot, palette::plane);
+    }
+}
 
+void OverlayPainter::muscle_points(const MuscleOverlay& muscle, double pixels_across) {
   const double reach = 0.5 * (glm::length(muscle.along) + glm::length(muscle.across));
   const std::size_t step = stride(muscle.points.size());
-  const double dot = std::clamp(dot_radius(across, muscle.points.size() / step), line(0.7), line(1.7));
+  const double dot = std::clamp(dot_radius(pixels_across, muscle.points.size() / step), line(0.7), line(1.7));
+  if (muscle.projection) muscle_feet(muscle, dot);
   for (std::size_t i = 0; i < muscle.points.size(); i += step) {
     const Vec3& p = muscle.points[i];
     const bool turned = !muscle.normals.empty();
@@ -94,14 +103,17 @@ void OverlayPainter::muscle(const MuscleOverlay& muscle) {
       canvas.disc(seen->at, dot, faded(palette::muscle, opacity));
     }
   }
+}
 
-  // Seen from afar the same lines would fill the ellipse that they outline.
-  const double bold = std::clamp(across / line(120.0), 0.6, 1.0);
-  for (const auto& [ellipse, dash] : {std::pair(one, 0.0), std::pair(two, bold * line(5.0))}) {
+/// The ellipses of one and two sigmas and the way that the plane faces.
+void OverlayPainter::muscle_gaussian(const MuscleOverlay& muscle, double bold) {
+  for (const auto& [sigmas, dash] : {std::pair(1.0, 0.0), std::pair(2.0, bold * line(5.0))}) {
+    const std::vector<Vec3> ellipse = ellipse_in_plane(muscle, sigmas);
     polyline_3d(ellipse, {.colour = faded(palette::paper, 0.6), .width = bold * line(3.2)}, true);
     polyline_3d(ellipse, {.colour = palette::muscle, .width = bold * line(1.8), .dash = dash, .gap = 0.7 * dash}, true);
   }
-  if (!centre) return;
+  if (!screen.point(muscle.centre)) return;
+  const double reach = 0.5 * (glm::length(muscle.along) + glm::length(muscle.across));
   if (const auto arrow = screen.segment(muscle.centre, muscle.centre + 2.0 * reach * muscle.normal)) {
     const double head = std::min(line(10.0), 0.45 * glm::distance(arrow->first.at, arrow->second.at));
     canvas.arrow(arrow->first.at, arrow->second.at, {.colour = faded(palette::paper, 0.7), .width = bold * line(4.0)},
@@ -109,8 +121,24 @@ void OverlayPainter::muscle(const MuscleOverlay& muscle) {
     canvas.arrow(arrow->first.at, arrow->second.at, {.colour = palette::plane, .width = bold * line(2.0)}, head);
     layout.avoid(arrow->first.at, arrow->second.at);
   }
+}
+
+void OverlayPainter::muscle(const MuscleOverlay& muscle) {
+  Extent extent;
+  for (const Vec3& p : ellipse_in_plane(muscle, 2.0))
+    if (const auto seen = screen.point(p)) extent.add(seen->at);
+  const auto centre = screen.point(muscle.centre);
+  const double across = extent.left.x < extent.right.x ? glm::length(extent.box.size()) : 0.0;
+  // Seen from afar the same lines would fill the ellipse that they outline.
+  const double bold = std::clamp(across / line(120.0), 0.6, 1.0);
+  const bool plane_is_shown = muscle.gaussian || muscle.projection;
+  if (plane_is_shown) muscle_plane(muscle);
+  muscle_points(muscle, across);
+  if (muscle.gaussian) muscle_gaussian(muscle, bold);
+  if (!centre) return;
   const double arm = bold * line(5.0);
   for (const Colour& colour : {palette::paper, palette::ink}) {
+    if (!plane_is_shown) break;
     const Stroke stroke{.colour = colour, .width = bold * line(colour == palette::ink ? 1.7 : 3.8), .cap = Cap::round};
     canvas.line(centre->at - Vec2(arm, arm), centre->at + Vec2(arm, arm), stroke);
     canvas.line(centre->at - Vec2(arm, -arm), centre->at + Vec2(arm, -arm), stroke);

@@ -44,6 +44,10 @@ class OverlayPainter {
 
   void skeleton(const SkeletonOverlay& skeleton);
   void muscle(const MuscleOverlay& muscle);
+  void muscle_plane(const MuscleOverlay& muscle);
+  void muscle_points(const MuscleOverlay& muscle, double pixels_across);
+  void muscle_feet(const MuscleOverlay& muscle, double dot);
+  void muscle_gaussian(const MuscleOverlay& muscle, double bold);
   void box(const Bounds& box);
   void axes();
 

@@ -149,7 +149,7 @@ TEST_F(BadInput, ASceneThatNamesItselfAsItsModel) {
 }
 
 TEST_F(BadInput, PicturesThatAreNone) {
-  ASSERT_EQ(run({"render", "--size", "64x64", "-o", "whole.png"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--size", "64x64", "-o", "whole.png"}).exit_code, 0);
   const Bytes whole = read("whole.png");
   for (std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{20}, whole.size() / 2, whole.size() - 1}) {
     ASSERT_TRUE(write_file(path("cut.png"), std::span(whole).first(size)));

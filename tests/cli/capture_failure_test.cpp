@@ -41,7 +41,7 @@ class CaptureFailure : public ProgramTest {
   }
 };
 
-const Arguments long_sequence{"render", "--frames", "0-99999", "--size", "96x54", "-o", "out/x_#####.png"};
+const Arguments long_sequence{"render", arm_scene, "--frames", "0-99999", "--size", "96x54", "-o", "out/x_#####.png"};
 
 TEST_F(CaptureFailure, FolderThatIsMovedAwayEndsTheRun) {
   fs::create_directory(path("out"));
@@ -68,7 +68,8 @@ TEST_F(CaptureFailure, FolderThatIsDeletedEndsTheRun) {
 
 TEST_F(CaptureFailure, FilmWhoseFolderIsDeletedEnds) {
   fs::create_directory(path("out"));
-  const auto program = started({"render", "--frames", "0-99999", "--size", "96x54", "-o", "out/x.mp4"}, path("out"), 1);
+  const auto program =
+      started({"render", arm_scene, "--frames", "0-99999", "--size", "96x54", "-o", "out/x.mp4"}, path("out"), 1);
   // The first file that is seen is only a trial; half a second later the film is under way.
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   fs::remove_all(path("out"));
@@ -77,7 +78,7 @@ TEST_F(CaptureFailure, FilmWhoseFolderIsDeletedEnds) {
 }
 
 TEST_F(CaptureFailure, SomeFramesFailAndTheRestAreThere) {
-  const auto whole = json({"render", "--frames", "0-47:8", "--size", "320x180", "-o", "x_##.png"});
+  const auto whole = json({"render", arm_scene, "--frames", "0-47:8", "--size", "320x180", "-o", "x_##.png"});
   std::map<std::string, Bytes> pictures;
   std::vector<std::size_t> sizes;
   for (const std::string& name : names()) {
@@ -87,8 +88,8 @@ TEST_F(CaptureFailure, SomeFramesFailAndTheRestAreThere) {
   }
   std::sort(sizes.begin(), sizes.end());
   ASSERT_LT(sizes[2], sizes[3]);
-  const ProgramResult result =
-      run({"render", "--frames", "0-47:8", "--size", "320x180", "-o", "x_##.png"}, {.largest_file = sizes[2]});
+  const ProgramResult result = run({"render", arm_scene, "--frames", "0-47:8", "--size", "320x180", "-o", "x_##.png"},
+                                   {.largest_file = sizes[2]});
   expect_end(result, 6, {"3 of 6 frames failed", "File too large"});
   EXPECT_EQ(names().size(), 3u);
   for (const auto& [name, bytes] : pictures) {
@@ -104,7 +105,7 @@ TEST_F(CaptureFailure, SomeFramesFailAndTheRestAreThere) {
 TEST_F(CaptureFailure, AllFramesFailLikeOne) {
   for (const char* output : {"x_##.png", "x.mp4", "x.webm", "x.gif"}) {
     const ProgramResult result =
-        run({"render", "--frames", "0-9", "--size", "320x180", "-o", output}, {.largest_file = 1000});
+        run({"render", arm_scene, "--frames", "0-9", "--size", "320x180", "-o", output}, {.largest_file = 1000});
     expect_end(result, 7, {"File too large"});
     EXPECT_TRUE(names().empty()) << output;
   }
@@ -112,13 +113,13 @@ TEST_F(CaptureFailure, AllFramesFailLikeOne) {
 
 TEST_F(CaptureFailure, AHopelessRunIsGivenUp) {
   fs::create_directory(path("out"));
-  const Arguments many{"render", "--frames",        "0-99999",  "--size",     "320x180",
+  const Arguments many{"render", arm_scene,         "--frames", "0-99999",    "--size", "320x180",
                        "-o",     "out/x_#####.png", "--resume", "--progress", "none"};
   // No picture fits; what is said about them does, since it goes to a file as well.
   const ProgramOptions small_disk{.largest_file = 4000};
   expect_end(run(many, small_disk), 7, {"File too large"});
   EXPECT_EQ(names(), std::set<std::string>{"out"});
-  const ProgramResult first = run({"render", "--frames", "0", "--size", "320x180", "-o", "out/x_#####.png"});
+  const ProgramResult first = run({"render", arm_scene, "--frames", "0", "--size", "320x180", "-o", "out/x_#####.png"});
   ASSERT_EQ(first.exit_code, 0) << first;
   EXPECT_GT(read("out/x_00000.png").size(), 4000u);
   expect_end(run(many, small_disk), 6, {"the rest was not tried", "x_00001.png", "..."});
@@ -130,7 +131,7 @@ TEST_F(CaptureFailure, FullDiskLeavesNoPartOfAFilm) {
   if (mount("tmpfs", path("disk").c_str(), "tmpfs", 0, "size=64k") != 0)
     GTEST_SKIP() << "SKIPPED: needs the right to mount a tmpfs (run as root)";
   for (const char* film : {"disk/x.mp4", "disk/x.webm", "disk/x.gif"}) {
-    const ProgramResult result = run({"render", "--frames", "0-47", "--size", "1280x720", "-o", film});
+    const ProgramResult result = run({"render", arm_scene, "--frames", "0-47", "--size", "1280x720", "-o", film});
     expect_end(result, 7, {film, "No space left on device"});
     EXPECT_TRUE(fs::is_empty(path("disk"))) << film;
   }
@@ -140,7 +141,7 @@ TEST_F(CaptureFailure, FullDiskLeavesNoPartOfAFilm) {
 TEST_F(CaptureFailure, FilmIsNotWrittenOverADevice) {
   for (const char* device : {"/dev/full", "/dev/null"}) {
     fs::create_symlink(device, path("x.mp4"));
-    expect_end(run({"render", "--frames", "0-3", "--size", "64x48", "-o", "x.mp4"}), 7, {"x.mp4", "device"});
+    expect_end(run({"render", arm_scene, "--frames", "0-3", "--size", "64x48", "-o", "x.mp4"}), 7, {"x.mp4", "device"});
     EXPECT_TRUE(fs::is_symlink(path("x.mp4"))) << "the device was replaced";
     fs::remove(path("x.mp4"));
   }
@@ -149,7 +150,7 @@ TEST_F(CaptureFailure, FilmIsNotWrittenOverADevice) {
 TEST_F(CaptureFailure, MoreMemoryThanThereIsEndsWithFive) {
   // A picture of 16384 x 16384 takes a gigabyte, its depth another; the driver alone needs half of one.
   const ProgramResult result =
-      run({"render", "--size", "16384x16384", "-o", "x.png"}, {.address_space = std::uint64_t{1} << 30});
+      run({"render", arm_scene, "--size", "16384x16384", "-o", "x.png"}, {.address_space = std::uint64_t{1} << 30});
   expect_end(result, 5, {"emory"});
   EXPECT_EQ(result.signal, 0) << result;
   EXPECT_TRUE(names().empty());
@@ -157,7 +158,8 @@ TEST_F(CaptureFailure, MoreMemoryThanThereIsEndsWithFive) {
 
 TEST_F(CaptureFailure, MorePixelsThanAnyDeviceTakesAreWrongUsage) {
   for (const char* output : {"x.png", "x_####.png", "x.mp4"})
-    expect_end(run({"render", "--size", "100000x100000", "-o", output}), 2, {"--size 100000x100000", "16384"});
+    expect_end(run({"render", arm_scene, "--size", "100000x100000", "-o", output}), 2,
+               {"--size 100000x100000", "16384"});
   EXPECT_TRUE(names().empty());
 }
 
@@ -171,8 +173,8 @@ TEST_F(CaptureFailure, NoFramesAtAllAreWrongUsage) {
 TEST_F(CaptureFailure, APartWithoutFramesIsDoneAtOnce) {
   std::size_t frames = 0, empty = 0;
   for (int i = 0; i < 4; ++i) {
-    const auto report =
-        json({"render", "--frames", "0-1", "--size", "32x18", "--shard", fmt::format("{}/4", i), "-o", "x_####.png"});
+    const auto report = json({"render", arm_scene, "--frames", "0-1", "--size", "32x18", "--shard",
+                              fmt::format("{}/4", i), "-o", "x_####.png"});
     frames += report["frames"].size();
     empty += report["frames"].empty();
   }
@@ -182,14 +184,14 @@ TEST_F(CaptureFailure, APartWithoutFramesIsDoneAtOnce) {
 }
 
 TEST_F(CaptureFailure, OddSizesOfAnMp4ArePaddedAndSaid) {
-  const ProgramResult result = run({"render", "--frames", "0-3", "--size", "65x49", "-o", "x.mp4"});
+  const ProgramResult result = run({"render", arm_scene, "--frames", "0-3", "--size", "65x49", "-o", "x.mp4"});
   expect_end(result, 0, {"65 x 49 became 66 x 50", "even"});
   const ReadFilm film = read_film(path("x.mp4"));
   EXPECT_EQ(film.width, 66);
   EXPECT_EQ(film.height, 50);
   EXPECT_EQ(film.frames.size(), 4u);
   // The others take odd sizes as they are.
-  EXPECT_EQ(run({"render", "--frames", "0-3", "--size", "65x49", "-o", "x.webm", "--quiet"}).err, "");
+  EXPECT_EQ(run({"render", arm_scene, "--frames", "0-3", "--size", "65x49", "-o", "x.webm", "--quiet"}).err, "");
   EXPECT_EQ(read_film(path("x.webm")).width, 65);
 }
 

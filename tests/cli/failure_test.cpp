@@ -23,7 +23,8 @@ const ProgramOptions no_driver{
     .environment = {{"VK_DRIVER_FILES", "/nonexistent"}, {"VK_ICD_FILENAMES", "/nonexistent"}}};
 
 TEST_F(Failure, UnknownJointIsToldTheNearest) {
-  expect_failure(3, {"render", "--pose", "leftLowerArn=0,-90,0", "-o", "x.png"}, {"leftLowerArn", "\"leftLowerArm\""});
+  expect_failure(3, {"render", arm_scene, "--pose", "leftLowerArn=0,-90,0", "-o", "x.png"},
+                 {"leftLowerArn", "\"leftLowerArm\""});
   expect_failure(3, {"export", arm(), "--pose", "leftHend=0,0,0", "-o", "x.obj"},
                  {"arm.glb", "leftHend", "\"leftHand\""});
   expect_failure(3, {"parity", arm(), "--pose", "leftHend=0,0,0"}, {"arm.glb", "leftHend", "\"leftHand\""});
@@ -32,7 +33,7 @@ TEST_F(Failure, UnknownJointIsToldTheNearest) {
 }
 
 TEST_F(Failure, UnknownClipIsToldTheNearest) {
-  const ProgramResult baked = run({"export", "--frames", "0-3", "-o", "baked.glb"});
+  const ProgramResult baked = run({"export", arm_scene, "--frames", "0-3", "-o", "baked.glb"});
   ASSERT_EQ(baked.exit_code, 0) << baked;
   for (const char* command : {"render", "export"})
     expect_failure(
@@ -101,17 +102,18 @@ TEST_F(Failure, BrokenSceneIsToldItsJsonPointer) {
 }
 
 TEST_F(Failure, WithoutADriverTheExitCodeIsFour) {
-  expect_failure(4, {"render", "-o", "x.png"}, {"Vulkan"}, no_driver);
+  expect_failure(4, {"render", arm_scene, "-o", "x.png"}, {"Vulkan"}, no_driver);
   expect_failure(4, {"parity"}, {"Vulkan"}, no_driver);
-  expect_failure(4, {"export", "-o", "x.obj"}, {"Vulkan"}, no_driver);
+  expect_failure(4, {"export", arm_scene, "-o", "x.obj"}, {"Vulkan"}, no_driver);
   expect_failure(4, {"bench"}, {"Vulkan"}, no_driver);
   expect_failure(4, {"info", "--devices"}, {"Vulkan"}, no_driver);
   EXPECT_TRUE(names().empty());
 }
 
 TEST_F(Failure, WhatNeedsNoDeviceWorksWithoutADriver) {
-  for (const Arguments& arguments : {Arguments{"export", "--by", "cpu", "-o", "x.obj"},
-                                     Arguments{"export", "--rig", "-o", "x.glb"}, Arguments{"info", "x.glb"}}) {
+  for (const Arguments& arguments :
+       {Arguments{"export", arm_scene, "--by", "cpu", "-o", "x.obj"},
+        Arguments{"export", arm_scene, "--rig", "-o", "x.glb"}, Arguments{"info", "x.glb"}}) {
     const ProgramResult result = run(arguments, no_driver);
     EXPECT_EQ(result.exit_code, 0) << result;
   }
@@ -119,46 +121,49 @@ TEST_F(Failure, WhatNeedsNoDeviceWorksWithoutADriver) {
 
 TEST_F(Failure, UnknownDeviceIsToldTheKnownOnes) {
   const std::string known = json({"info", "--devices"})["devices"][0]["name"];
-  expect_failure(4, {"render", "-o", "x.png", "--device", "Voodoo"}, {"Voodoo", known});
-  expect_failure(4, {"render", "-o", "x.png", "--device", "99"}, {"99", known});
+  expect_failure(4, {"render", arm_scene, "-o", "x.png", "--device", "Voodoo"}, {"Voodoo", known});
+  expect_failure(4, {"render", arm_scene, "-o", "x.png", "--device", "99"}, {"99", known});
   expect_failure(4, {"parity"}, {"Voodoo", known}, {.environment = {{"SINEW_DEVICE", "Voodoo"}}});
 }
 
 TEST_F(Failure, DeviceIsTakenByIndexByNameAndFromTheEnvironment) {
   const std::string known = json({"info", "--devices"})["devices"][0]["name"];
   for (const std::string& device : {std::string("0"), known, known.substr(0, 4)}) {
-    EXPECT_EQ(json({"parity", "--frame", "0", "--device", device})["device"]["name"], known);
-    EXPECT_EQ(json({"parity", "--frame", "0"}, {.environment = {{"SINEW_DEVICE", device}}})["device"]["name"], known);
+    EXPECT_EQ(json({"parity", arm_scene, "--frame", "0", "--device", device})["device"]["name"], known);
+    EXPECT_EQ(
+        json({"parity", arm_scene, "--frame", "0"}, {.environment = {{"SINEW_DEVICE", device}}})["device"]["name"],
+        known);
   }
   // The option wins over the environment.
-  EXPECT_EQ(run({"parity", "--frame", "0", "--device", "0"}, {.environment = {{"SINEW_DEVICE", "Voodoo"}}}).exit_code,
+  EXPECT_EQ(run({"parity", arm_scene, "--frame", "0", "--device", "0"}, {.environment = {{"SINEW_DEVICE", "Voodoo"}}})
+                .exit_code,
             0);
 }
 
 TEST_F(Failure, TheLogNamesTheDeviceAndSaysIfItIsACpu) {
   const auto device = json({"info", "--devices"})["devices"][0];
-  const ProgramResult result = run({"render", "-o", "x.png", "--size", "64x64"});
+  const ProgramResult result = run({"render", arm_scene, "-o", "x.png", "--size", "64x64"});
   EXPECT_NE(result.err.find(device["name"].get<std::string>()), std::string::npos) << result;
   EXPECT_EQ(result.err.find("CPU") != std::string::npos, device["type"] == "cpu") << result;
-  EXPECT_EQ(run({"render", "-o", "x.png", "--size", "64x64", "--quiet"}).err, "");
+  EXPECT_EQ(run({"render", arm_scene, "-o", "x.png", "--size", "64x64", "--quiet"}).err, "");
 }
 
 TEST_F(Failure, ParityThatDoesNotHoldFails) {
-  const ProgramResult result = run({"parity", "--tolerance", "0", "--json"});
+  const ProgramResult result = run({"parity", arm_scene, "--tolerance", "0", "--json"});
   EXPECT_EQ(result.exit_code, 1) << result;
   EXPECT_EQ(json_of(result)["pass"], false);
   EXPECT_NE(result.err.find("parity failed"), std::string::npos) << result;
 }
 
 TEST_F(Failure, PicturesThatDifferFail) {
-  ASSERT_EQ(run({"render", "--frames", "0,30", "--size", "64x64", "-o", "x_##.png"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--frames", "0,30", "--size", "64x64", "-o", "x_##.png"}).exit_code, 0);
   const ProgramResult result = run({"compare", "x_00.png", "x_30.png", "--diff", "difference.png", "--json"});
   EXPECT_EQ(result.exit_code, 1) << result;
   const auto report = json_of(result);
   EXPECT_EQ(report["pass"], false);
   EXPECT_GT(report["pixels_over"], 0);
   EXPECT_EQ(picture("difference.png").width, 64);
-  ASSERT_EQ(run({"render", "--size", "64x65", "-o", "other.png"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--size", "64x65", "-o", "other.png"}).exit_code, 0);
   expect_failure(3, {"compare", "x_00.png", "other.png"}, {"64x64", "64x65"});
   write("text.png", "not a picture");
   expect_failure(3, {"compare", "x_00.png", "text.png"}, {"text.png"});

@@ -11,7 +11,7 @@ namespace {
 class Figure : public ProgramTest {
  protected:
   DecodedPng render(Arguments words) const {
-    words.insert(words.begin(), "render");
+    words.insert(words.begin(), {"render", arm_scene});
     words.insert(words.end(), {"-o", path("figure.png"), "--quiet"});
     const ProgramResult result = run(words);
     EXPECT_EQ(result.exit_code, 0) << result;
@@ -73,7 +73,7 @@ TEST_F(Figure, CompareWithAnotherScene) {
   const std::string other = arm();
   const DecodedPng png = render({"--size", "480x270", "--compare", other});
   EXPECT_EQ(png.width, 480);
-  EXPECT_EQ(run({"render", "--compare", "absent.glb", "-o", "x.png"}).exit_code, 3);
+  EXPECT_EQ(run({"render", arm_scene, "--compare", "absent.glb", "-o", "x.png"}).exit_code, 3);
 }
 
 TEST_F(Figure, AnInsetShowsWhatThePictureDoesNot) {
@@ -82,13 +82,14 @@ TEST_F(Figure, AnInsetShowsWhatThePictureDoesNot) {
   const std::size_t inset = std::size_t(0.36 * 270) * std::size_t(0.36 * 270);
   EXPECT_GT(differing_pixels(plain, zoomed), inset / 8);
   EXPECT_LT(differing_pixels(plain, zoomed), 2 * inset);
-  const ProgramResult unknown = run({"render", "--zoom", "leftLowrArm", "-o", "x.png"});
+  const ProgramResult unknown = run({"render", arm_scene, "--zoom", "leftLowrArm", "-o", "x.png"});
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_NE(unknown.err.find("leftLowerArm"), std::string::npos) << unknown;
 }
 
 TEST_F(Figure, ATurntableGoesRound) {
-  const Arguments words{"render", "--size", "160x90", "--frame", "30", "--turntable", "4", "-o", path("t_##.png")};
+  const Arguments words{"render", arm_scene,     "--size", "160x90", "--frame",
+                        "30",     "--turntable", "4",      "-o",     path("t_##.png")};
   const nlohmann::json report = json(words);
   ASSERT_EQ(report["frames"].size(), 4u);
   const DecodedPng quarter = picture("t_01.png");
@@ -114,7 +115,7 @@ TEST_F(Figure, WordsThatAreNoneAreRefusedBeforeAFileIsOpened) {
 
 TEST_F(Figure, FilmsAreReportedWithTheirFramesHashes) {
   for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
-    const Arguments words{"render", "--size", "160x90", "--frames", "0-5", "-o", path(name)};
+    const Arguments words{"render", arm_scene, "--size", "160x90", "--frames", "0-5", "-o", path(name)};
     const nlohmann::json first = json(words), second = json(words);
     EXPECT_EQ(first["sha256"], sha256(read(name))) << name;
     EXPECT_EQ(first["sha256"], second["sha256"]) << name;
@@ -122,12 +123,12 @@ TEST_F(Figure, FilmsAreReportedWithTheirFramesHashes) {
     EXPECT_NE(first["frames"][0]["sha256"], first["frames"][5]["sha256"]);
   }
   EXPECT_EQ(names(), (std::set<std::string>{"a.mp4", "a.webm", "a.gif"}));
-  EXPECT_EQ(run({"render", "--shard", "0/2", "-o", "b.mp4"}).exit_code, 2);
-  EXPECT_EQ(run({"render", "-o", "missing/b.mp4"}).exit_code, 7);
+  EXPECT_EQ(run({"render", arm_scene, "--shard", "0/2", "-o", "b.mp4"}).exit_code, 2);
+  EXPECT_EQ(run({"render", arm_scene, "-o", "missing/b.mp4"}).exit_code, 7);
 }
 
 TEST_F(Figure, AnInterruptedFilmLeavesNothing) {
-  RunningProgram program({"render", "--size", "640x360", "--frames", "0-100000", "-o", path("long.mp4")});
+  RunningProgram program({"render", arm_scene, "--size", "640x360", "--frames", "0-100000", "-o", path("long.mp4")});
   std::this_thread::sleep_for(std::chrono::seconds(1));
   program.send(SIGINT);
   const ProgramResult result = program.finish();

@@ -31,7 +31,8 @@ bool is_hash(const Json& text) {
 }
 
 TEST_F(JsonOutput, Render) {
-  const Json json = this->json({"render", "--frames", "3,0-1", "--size", "96x64", "--fps", "30", "-o", "x_###.png"});
+  const Json json =
+      this->json({"render", arm_scene, "--frames", "3,0-1", "--size", "96x64", "--fps", "30", "-o", "x_###.png"});
   expect_keys(json, {"device", "frames", "size", "fps"}, "render");
   expect_device(json["device"]);
   EXPECT_EQ(json["size"], Json({96, 64}));
@@ -51,7 +52,7 @@ TEST_F(JsonOutput, Render) {
 }
 
 TEST_F(JsonOutput, Parity) {
-  const Json json = this->json({"parity", "--frames", "0-40:10", "--tolerance", "1e-4"});
+  const Json json = this->json({"parity", arm_scene, "--frames", "0-40:10", "--tolerance", "1e-4"});
   expect_keys(json,
               {"device", "frames", "vertices", "max_position_error", "rms_position_error", "max_normal_error_degrees",
                "bbox_diagonal", "relative_error", "tolerance", "pass"},
@@ -79,7 +80,7 @@ TEST_F(JsonOutput, InfoOnAModel) {
 }
 
 TEST_F(JsonOutput, InfoOnAScene) {
-  const Json json = this->json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"});
+  const Json json = this->json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/arm.json"});
   expect_keys(json, {"vertices", "triangles", "joints", "clips", "humanoid", "muscles", "characters", "frames", "fps"},
               "info on a scene");
   EXPECT_EQ(json["characters"], 1);
@@ -105,7 +106,7 @@ TEST_F(JsonOutput, InfoOnDevices) {
 
 TEST_F(JsonOutput, Export) {
   const Json counts = this->json({"info", arm()});
-  const Json json = this->json({"export", "--frames", "0-2", "-o", "x_####.obj"});
+  const Json json = this->json({"export", arm_scene, "--frames", "0-2", "-o", "x_####.obj"});
   expect_keys(json, {"file", "frames", "vertices", "triangles"}, "export");
   EXPECT_EQ(json["file"], "x_####.obj");
   EXPECT_EQ(json["frames"], 3);
@@ -114,7 +115,7 @@ TEST_F(JsonOutput, Export) {
 }
 
 TEST_F(JsonOutput, Bench) {
-  const Json json = this->json({"bench", "--frames-timed", "5", "--size", "96x64"});
+  const Json json = this->json({"bench", arm_scene, "--frames-timed", "5", "--size", "96x64"});
   expect_keys(json, {"device",          "vertices",     "triangles",
                      "joints",          "instances",    "size",
                      "stages",          "fps",          "deform_mverts_per_s",
@@ -150,22 +151,22 @@ TEST_F(JsonOutput, Bench) {
 TEST_F(JsonOutput, BenchLeavesNothing) {
   std::filesystem::create_directory(path("scratch"));
   const ProgramOptions options{.environment = {{"TMPDIR", path("scratch")}}};
-  this->json({"bench", "--frames-timed", "3", "--size", "96x64"}, options);
+  this->json({"bench", arm_scene, "--frames-timed", "3", "--size", "96x64"}, options);
   EXPECT_TRUE(std::filesystem::is_empty(path("scratch")));
-  const ProgramResult result =
-      run({"bench", "--frames-timed", "3", "--size", "96x64"}, {.environment = {{"TMPDIR", path("absent")}}});
+  const ProgramResult result = run({"bench", arm_scene, "--frames-timed", "3", "--size", "96x64"},
+                                   {.environment = {{"TMPDIR", path("absent")}}});
   EXPECT_EQ(result.exit_code, 7) << result;
   EXPECT_NE(result.err.find("TMPDIR"), std::string::npos) << result;
 }
 
 TEST_F(JsonOutput, BenchResamples) {
-  const Json json = this->json({"bench", "--frames-timed", "1", "--size", "32x32", "--vertices", "20000"});
+  const Json json = this->json({"bench", arm_scene, "--frames-timed", "1", "--size", "32x32", "--vertices", "20000"});
   // "about N": subdivision alone could only offer some four times the vertices or as many.
   EXPECT_NEAR(json["vertices"].get<double>(), 20000.0, 1000.0);
 }
 
 TEST_F(JsonOutput, Compare) {
-  ASSERT_EQ(run({"render", "--size", "64x64", "-o", "x.png"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--size", "64x64", "-o", "x.png"}).exit_code, 0);
   const Json json = this->json({"compare", "x.png", "x.png", "--pixels", "0.25"});
   expect_keys(json, {"metric", "value", "threshold", "pixels_over", "pass"}, "compare");
   EXPECT_EQ(json["value"], 0.0);
@@ -177,16 +178,17 @@ TEST_F(JsonOutput, Compare) {
 TEST_F(JsonOutput, StaysAloneOnStdoutWhateverIsLogged) {
   for (const char* log :
        {"--quiet", "--verbose", "--progress=plain", "--progress=bar", "--progress=none", "--validate"}) {
-    const ProgramResult result = run({"render", "--frames", "0-3", "--size", "64x64", "-o", "x_##.png", "--json", log});
+    const ProgramResult result =
+        run({"render", arm_scene, "--frames", "0-3", "--size", "64x64", "-o", "x_##.png", "--json", log});
     EXPECT_EQ(result.exit_code, 0) << result;
     EXPECT_EQ(json_of(result)["frames"].size(), 4u) << log;
   }
 }
 
 TEST_F(JsonOutput, WithoutTheFlagStdoutIsEmpty) {
-  EXPECT_EQ(run({"render", "--size", "64x64", "-o", "x.png"}).out, "");
-  EXPECT_EQ(run({"parity", "--frame", "0"}).out, "");
-  EXPECT_EQ(run({"export", "-o", "x.obj"}).out, "");
+  EXPECT_EQ(run({"render", arm_scene, "--size", "64x64", "-o", "x.png"}).out, "");
+  EXPECT_EQ(run({"parity", arm_scene, "--frame", "0"}).out, "");
+  EXPECT_EQ(run({"export", arm_scene, "-o", "x.obj"}).out, "");
   EXPECT_EQ(run({"compare", "x.png", "x.png"}).out, "");
 }
 

@@ -39,28 +39,29 @@ std::size_t file_count(const fs::path& folder) {
 }
 
 TEST_F(Output, MissingFolder) {
-  expect_not_written({"render", "-o", "absent/x.png"});
-  expect_not_written({"render", "--frames", "0-3", "-o", "absent/x_####.png"});
-  for (const char* name : {"absent/x.obj", "absent/x.ply", "absent/x.glb"}) expect_not_written({"export", "-o", name});
-  expect_not_written({"export", "--rig", "-o", "absent/x.glb"});
+  expect_not_written({"render", arm_scene, "-o", "absent/x.png"});
+  expect_not_written({"render", arm_scene, "--frames", "0-3", "-o", "absent/x_####.png"});
+  for (const char* name : {"absent/x.obj", "absent/x.ply", "absent/x.glb"})
+    expect_not_written({"export", arm_scene, "-o", name});
+  expect_not_written({"export", arm_scene, "--rig", "-o", "absent/x.glb"});
 }
 
 TEST_F(Output, FolderThatTakesNoFiles) {
   // Not even the superuser can create a file there.
-  expect_not_written({"render", "-o", "/proc/x.png"});
-  expect_not_written({"export", "-o", "/proc/x.obj"});
+  expect_not_written({"render", arm_scene, "-o", "/proc/x.png"});
+  expect_not_written({"export", arm_scene, "-o", "/proc/x.obj"});
   if (geteuid() == 0) return;
   fs::create_directory(path("closed"));
   fs::permissions(path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
-  expect_not_written({"render", "-o", "closed/x.png"});
-  expect_not_written({"export", "-o", "closed/x.obj"});
+  expect_not_written({"render", arm_scene, "-o", "closed/x.png"});
+  expect_not_written({"export", arm_scene, "-o", "closed/x.obj"});
 }
 
 TEST_F(Output, NameOfAFolder) {
   fs::create_directory(path("folder.png"));
   fs::create_directory(path("folder.obj"));
-  expect_not_written({"render", "-o", "folder.png"});
-  expect_not_written({"export", "-o", "folder.obj"});
+  expect_not_written({"render", arm_scene, "-o", "folder.png"});
+  expect_not_written({"export", arm_scene, "-o", "folder.obj"});
 }
 
 // Devices are reached by links in the test's folder: a program that replaced what it should write to would replace the
@@ -69,9 +70,9 @@ TEST_F(Output, DeviceThatIsFull) {
   ASSERT_TRUE(fs::is_character_file("/dev/full")) << "this machine's /dev/full is no device";
   for (const char* ending : {"png", "obj", "ply", "glb"})
     fs::create_symlink("/dev/full", path(std::string("full.") + ending));
-  expect_not_written({"render", "-o", "full.png"});
-  for (const char* name : {"full.obj", "full.ply", "full.glb"}) expect_not_written({"export", "-o", name});
-  expect_not_written({"export", "--rig", "-o", "full.glb"});
+  expect_not_written({"render", arm_scene, "-o", "full.png"});
+  for (const char* name : {"full.obj", "full.ply", "full.glb"}) expect_not_written({"export", arm_scene, "-o", name});
+  expect_not_written({"export", arm_scene, "--rig", "-o", "full.glb"});
   for (const char* ending : {"png", "obj", "ply", "glb"})
     EXPECT_TRUE(fs::is_symlink(path(std::string("full.") + ending))) << "the device was replaced: " << ending;
 }
@@ -84,7 +85,7 @@ TEST_F(Output, ReportThatCannotBePrinted) {
 TEST_F(Output, NullDeviceTakesEverything) {
   ASSERT_TRUE(fs::is_character_file("/dev/null")) << "this machine's /dev/null is no device";
   fs::create_symlink("/dev/null", path("null.png"));
-  const ProgramResult result = run({"render", "--size", "64x64", "-o", "null.png"});
+  const ProgramResult result = run({"render", arm_scene, "--size", "64x64", "-o", "null.png"});
   EXPECT_EQ(result.exit_code, 0) << result;
   EXPECT_TRUE(fs::is_symlink(path("null.png"))) << "the device was replaced";
 }
@@ -114,16 +115,17 @@ TEST_F(Output, FullDisk) {
   // What stood there before stays.
   write("disk/x.png", "old");
   write("disk/x.glb", "old");
-  expect_not_written({"render", "--size", "1920x1080", "-o", "disk/x.png"});
-  expect_not_written({"export", "--frames", "0-9", "-o", "disk/x.glb"});
-  expect_not_written({"export", "-o", "disk/new.obj"});
+  expect_not_written({"render", arm_scene, "--size", "1920x1080", "-o", "disk/x.png"});
+  expect_not_written({"export", arm_scene, "--frames", "0-9", "-o", "disk/x.glb"});
+  expect_not_written({"export", arm_scene, "-o", "disk/new.obj"});
   EXPECT_EQ(read("disk/x.png"), read("disk/x.glb"));
   EXPECT_EQ(read("disk/x.png").size(), 3u);
   fs::remove(path("disk/x.png"));
   fs::remove(path("disk/x.glb"));
 
   // Some pictures fit, the rest do not: those that are there are whole.
-  const ProgramResult result = run({"render", "--frames", "0-47", "--size", "320x180", "-o", "disk/x_####.png"});
+  const ProgramResult result =
+      run({"render", arm_scene, "--frames", "0-47", "--size", "320x180", "-o", "disk/x_####.png"});
   EXPECT_EQ(result.exit_code, 6) << result;
   EXPECT_GT(file_count(path("disk")), 0u);
   EXPECT_LT(file_count(path("disk")), 48u);
@@ -152,7 +154,7 @@ class Stopped : public Output {
   }
 };
 
-const Arguments long_sequence{"render", "--frames", "0-99999", "--size", "320x180", "-o", "x_#####.png"};
+const Arguments long_sequence{"render", arm_scene, "--frames", "0-99999", "--size", "320x180", "-o", "x_#####.png"};
 
 TEST_F(Stopped, ByInterruptEveryPictureIsWhole) {
   const ProgramResult result = stop({long_sequence, 5}, SIGINT);
@@ -169,7 +171,7 @@ TEST_F(Stopped, ByTerminationEveryPictureIsWhole) {
 }
 
 TEST_F(Stopped, MeshesAreWhole) {
-  EXPECT_EQ(stop({{"export", "--frames", "0-99999", "-o", "x_#####.ply"}, 5}, SIGINT).exit_code, 130);
+  EXPECT_EQ(stop({{"export", arm_scene, "--frames", "0-99999", "-o", "x_#####.ply"}, 5}, SIGINT).exit_code, 130);
   const std::set<std::string> files = names();
   ASSERT_GT(files.size(), 5u);
   std::set<std::uintmax_t> sizes;
@@ -181,13 +183,13 @@ TEST_F(Stopped, MeshesAreWhole) {
 }
 
 TEST_F(Stopped, AFileThatIsWrittenAtTheEndIsNotThere) {
-  EXPECT_EQ(stop({{"export", "--frames", "0-99999", "-o", "x.glb"}, 0}, SIGTERM).exit_code, 143);
+  EXPECT_EQ(stop({{"export", arm_scene, "--frames", "0-99999", "-o", "x.glb"}, 0}, SIGTERM).exit_code, 143);
   EXPECT_EQ(file_count(path("out")), 0u);
 }
 
 TEST_F(Stopped, ChecksAndMeasurementsStopToo) {
-  for (const Arguments& arguments :
-       {Arguments{"parity", "--frames", "0-99999"}, Arguments{"bench", "--frames-timed", "99999"}}) {
+  for (const Arguments& arguments : {Arguments{"parity", arm_scene, "--frames", "0-99999"},
+                                     Arguments{"bench", arm_scene, "--frames-timed", "99999"}}) {
     fs::remove_all(path("out"));
     const ProgramResult result = stop({arguments, 0}, SIGINT);
     EXPECT_EQ(result.exit_code, 130) << result;

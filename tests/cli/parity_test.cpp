@@ -13,7 +13,7 @@ TEST_F(Parity, EmbeddedSceneByEveryDeformerWithEveryBulge) {
   const auto scene = json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"});
   for (const char* deformer : {"rigid", "ssd"})
     for (const char* bulge : {"on", "off", "paper"}) {
-      const auto report = json({"parity", "--deformer", deformer, "--bulge", bulge});
+      const auto report = json({"parity", arm_scene, "--deformer", deformer, "--bulge", bulge});
       EXPECT_EQ(report["pass"], true) << deformer << ", bulge " << bulge << ": " << report;
       EXPECT_EQ(report["frames"], 48);
       EXPECT_EQ(report["vertices"], scene["vertices"]);
@@ -22,15 +22,17 @@ TEST_F(Parity, EmbeddedSceneByEveryDeformerWithEveryBulge) {
 }
 
 TEST_F(Parity, PosesAndStrengthAreComparedToo) {
-  EXPECT_EQ(json({"parity", "--frame", "0", "--pose", "leftLowerArm=20,-100,30", "--strength", "0.3"})["pass"], true);
-  const double still = json({"parity", "--frame", "0"})["bbox_diagonal"];
-  const double bent = json({"parity", "--frame", "0", "--pose", "leftLowerArm=0,-120,0"})["bbox_diagonal"];
+  EXPECT_EQ(
+      json({"parity", arm_scene, "--frame", "0", "--pose", "leftLowerArm=20,-100,30", "--strength", "0.3"})["pass"],
+      true);
+  const double still = json({"parity", arm_scene, "--frame", "0"})["bbox_diagonal"];
+  const double bent = json({"parity", arm_scene, "--frame", "0", "--pose", "leftLowerArm=0,-120,0"})["bbox_diagonal"];
   EXPECT_LT(bent, 0.95 * still) << "the pose did not reach the comparison";
 }
 
 TEST_F(Parity, ResultDoesNotDependOnThreads) {
-  const auto one = json({"parity", "--frames", "0-47:9"}, {.environment = {{"LP_NUM_THREADS", "1"}}});
-  const auto two = json({"parity", "--frames", "0-47:9"}, {.environment = {{"LP_NUM_THREADS", "2"}}});
+  const auto one = json({"parity", arm_scene, "--frames", "0-47:9"}, {.environment = {{"LP_NUM_THREADS", "1"}}});
+  const auto two = json({"parity", arm_scene, "--frames", "0-47:9"}, {.environment = {{"LP_NUM_THREADS", "2"}}});
   EXPECT_EQ(one["max_position_error"], two["max_position_error"]);
   EXPECT_EQ(one["rms_position_error"], two["rms_position_error"]);
 }

@@ -22,9 +22,10 @@ class Render : public ProgramTest {
     return found;
   }
 
-  /// Renders the embedded scene's frame 30, small, with more words; the file's name is returned.
+  /// Renders frame 30 of the arm or of what the words begin with, small; the file's name is returned.
   std::string render(const std::string& name, const Arguments& more, const ProgramOptions& options = {}) const {
     Arguments all{"render", "-o", name};
+    if (more.empty() || more[0].starts_with("-")) all.insert(all.begin() + 1, arm_scene);
     if (std::ranges::find(more, "--size") == more.end()) all.insert(all.end(), {"--size", "160x90"});
     if (std::ranges::find(more, "--frame") == more.end()) all.insert(all.end(), {"--frame", "30"});
     all.insert(all.end(), more.begin(), more.end());
@@ -37,7 +38,7 @@ class Render : public ProgramTest {
 TEST_F(Render, FramesGoToTheFilesOfThePattern) {
   const auto files = [&](const Arguments& more) {
     const auto before = names();
-    Arguments all{"render", "--size", "32x18"};
+    Arguments all{"render", arm_scene, "--size", "32x18"};
     all.insert(all.end(), more.begin(), more.end());
     const ProgramResult result = run(all);
     EXPECT_EQ(result.exit_code, 0) << result;
@@ -62,7 +63,7 @@ TEST_F(Render, FramesGoToTheFilesOfThePattern) {
 }
 
 TEST_F(Render, OneNameWithoutAFrameIsTheFirstOfTheRange) {
-  const auto report = json({"render", "--size", "32x18", "-o", "x.png"});
+  const auto report = json({"render", arm_scene, "--size", "32x18", "-o", "x.png"});
   ASSERT_EQ(report["frames"].size(), 1u);
   EXPECT_EQ(report["frames"][0]["frame"], 0);
 }
@@ -74,7 +75,7 @@ TEST_F(Render, TheSameFrameIsTheSameFile) {
 }
 
 TEST_F(Render, AFrameDoesNotDependOnTheFramesBefore) {
-  ASSERT_EQ(run({"render", "--size", "160x90", "--frames", "0-30:15", "-o", "x_##.png"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--size", "160x90", "--frames", "0-30:15", "-o", "x_##.png"}).exit_code, 0);
   EXPECT_EQ(read("x_30.png"), read(render("alone.png", {})));
 }
 
@@ -97,7 +98,7 @@ TEST_F(Render, TheRecipeIsThatOfThePictureAndNotOfItsPlace) {
   EXPECT_EQ(recipe(render("b.png", {"--device", "0"})), first);
   EXPECT_EQ(recipe(render("c.png", {"--quiet"})), first);
   EXPECT_EQ(recipe(render("d.png", {}, {.environment = {{"LP_NUM_THREADS", "1"}}})), first);
-  ASSERT_EQ(run({"render", "--size", "160x90", "--frames", "29-30", "-o", "x_##.png"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--size", "160x90", "--frames", "29-30", "-o", "x_##.png"}).exit_code, 0);
   EXPECT_EQ(recipe("x_30.png"), first) << "of the same frame in a sequence";
 }
 

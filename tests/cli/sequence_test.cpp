@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 class Sequence : public ProgramTest {
  protected:
   nlohmann::json render(const Arguments& more) const {
-    Arguments all{"render", "--frames", "0-9", "--size", "64x36", "-o", "x_##.png"};
+    Arguments all{"render", arm_scene, "--frames", "0-9", "--size", "64x36", "-o", "x_##.png"};
     all.insert(all.end(), more.begin(), more.end());
     return json(all);
   }
@@ -53,7 +53,7 @@ TEST_F(Sequence, ResumeDoesNotKeepPicturesOfAnotherRecipe) {
 }
 
 TEST_F(Sequence, ResumeTakesUpAStoppedRun) {
-  const Arguments words{"render", "--frames", "0-199", "--size", "320x180", "-o", "y_###.png"};
+  const Arguments words{"render", arm_scene, "--frames", "0-199", "--size", "320x180", "-o", "y_###.png"};
   {
     RunningProgram program(words, {.folder = fs::path(path("")).parent_path()});
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
@@ -87,8 +87,8 @@ std::size_t whole_pictures(const fs::path& folder) {
 TEST_F(Sequence, KilledTenTimesItIsTheSameInTheEnd) {
   constexpr int frames = 600, kills = 10;
   const auto words = [&](const char* folder, bool resume) {
-    Arguments all{"render", "--frames", fmt::format("0-{}", frames - 1),    "--size",
-                  "96x54",  "-o",       std::string(folder) + "/x_####.png"};
+    Arguments all{"render", arm_scene, "--frames", fmt::format("0-{}", frames - 1),
+                  "--size", "96x54",   "-o",       std::string(folder) + "/x_####.png"};
     if (resume) all.emplace_back("--resume");
     return all;
   };
@@ -133,7 +133,8 @@ TEST_F(Sequence, KilledTenTimesItIsTheSameInTheEnd) {
 TEST_F(Sequence, FilmThatWasKilledLeavesNothingToTheNext) {
   write("f.mp4", "an older film");
   for (int i = 0; i < 2; ++i) {
-    RunningProgram program({"render", "--frames", "0-9999", "--size", "96x54", "-o", "f.mp4"}, {.folder = path("")});
+    RunningProgram program({"render", arm_scene, "--frames", "0-9999", "--size", "96x54", "-o", "f.mp4"},
+                           {.folder = path("")});
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     while (names().size() < 2 && std::chrono::steady_clock::now() < deadline)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -143,7 +144,7 @@ TEST_F(Sequence, FilmThatWasKilledLeavesNothingToTheNext) {
     EXPECT_EQ(names().size(), 2u) << "the second run takes the first one's away";
     EXPECT_EQ(read("f.mp4").size(), 13u) << "a film that is not finished stands under its name";
   }
-  ASSERT_EQ(run({"render", "--frames", "0-9", "--size", "96x54", "-o", "f.mp4"}).exit_code, 0);
+  ASSERT_EQ(run({"render", arm_scene, "--frames", "0-9", "--size", "96x54", "-o", "f.mp4"}).exit_code, 0);
   EXPECT_EQ(names(), std::set<std::string>{"f.mp4"});
 }
 
@@ -151,11 +152,13 @@ TEST_F(Sequence, TheNumberOfThreadsChangesNothing) {
   std::map<std::string, std::set<std::string>> hashes;
   for (const char* threads : {"1", "2"}) {
     const ProgramOptions options{.environment = {{"LP_NUM_THREADS", threads}}};
-    const auto pictures = json({"render", "--frames", "0-40:4", "--size", "160x90", "-o", "x_##.png"}, options);
+    const auto pictures =
+        json({"render", arm_scene, "--frames", "0-40:4", "--size", "160x90", "-o", "x_##.png"}, options);
     for (const auto& frame : pictures["frames"]) hashes[frame["file"]].insert(frame["sha256"].get<std::string>());
     for (const char* film : {"x.mp4", "x.webm", "x.gif"})
       hashes[film].insert(
-          json({"render", "--frames", "0-40:4", "--size", "160x90", "-o", film}, options)["sha256"].get<std::string>());
+          json({"render", arm_scene, "--frames", "0-40:4", "--size", "160x90", "-o", film}, options)["sha256"]
+              .get<std::string>());
   }
   EXPECT_EQ(hashes.size(), 11u + 3u);
   for (const auto& [file, found] : hashes) EXPECT_EQ(found.size(), 1u) << file;
@@ -163,8 +166,9 @@ TEST_F(Sequence, TheNumberOfThreadsChangesNothing) {
 
 TEST_F(Sequence, FramesAreReportedInTheOrderThatWasAskedFor) {
   // With --resume some of them come from the disk, sooner than those that are drawn.
-  ASSERT_EQ(run({"render", "--frames", "7,3,9", "--size", "64x36", "-o", "x_##.png"}).exit_code, 0);
-  const auto report = json({"render", "--frames", "9,8,7,0-6", "--size", "64x36", "-o", "x_##.png", "--resume"});
+  ASSERT_EQ(run({"render", arm_scene, "--frames", "7,3,9", "--size", "64x36", "-o", "x_##.png"}).exit_code, 0);
+  const auto report =
+      json({"render", arm_scene, "--frames", "9,8,7,0-6", "--size", "64x36", "-o", "x_##.png", "--resume"});
   std::vector<int> order;
   for (const auto& frame : report["frames"]) order.push_back(frame["frame"]);
   EXPECT_EQ(order, (std::vector<int>{9, 8, 7, 0, 1, 2, 3, 4, 5, 6}));

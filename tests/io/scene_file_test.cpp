@@ -41,7 +41,10 @@ const std::string everything = R"({ "sinew": 1, "fps": 29.97, "frames": [10, 10]
       "emotion": [[12, "laugh", 1], [40, "fear", 0.25]] },
     { "model": "../models/man.glb", "clip": "none", "motion": "run.bvh", "turn": -45, "position": [1, 2, 3] } ],
   "camera": { "view": "three-quarter", "orbit": [[0, 0], [47, 360]], "target": [0, 1, 0], "distance": 2.5 },
-  "look": { "shading": "weights", "joint": "elbow", "shadows": false, "floor": true, "background": "transparent" } })";
+  "look": { "shading": "weights", "joint": "elbow", "shadows": false, "floor": true,
+            "background": "transparent", "overlay": ["muscles", "axes"], "compare": "overlay",
+            "compare_as": "inset", "zoom": "biceps_left", "plot": "profile", "sheet": [2, 3],
+            "captions": ["one", "two"] } })";
 
 Scene parsed(const std::string& text, const fs::path& folder = "/scenes") {
   auto scene = parse_scene(text, "test.json", folder);
@@ -124,6 +127,13 @@ TEST(SceneFile, ReadsWhatIsLessUsual) {
   EXPECT_FALSE(scene.look.shadows);
   EXPECT_EQ(scene.look.floor, true);
   EXPECT_EQ(scene.look.background.alpha, 0);
+  EXPECT_EQ(scene.look.overlay, (std::vector{Overlay::muscles, Overlay::axes}));
+  EXPECT_EQ(scene.look.compare, CompareWith::overlay);
+  EXPECT_EQ(scene.look.compare_as, ComparisonPlace::inset);
+  EXPECT_EQ(scene.look.zoom, "biceps_left");
+  EXPECT_EQ(scene.look.plot, MusclePlot::profile);
+  EXPECT_EQ(scene.look.sheet, (Grid{2, 3}));
+  EXPECT_EQ(scene.look.captions, (std::vector<std::string>{"one", "two"}));
 }
 
 TEST(SceneFile, WeightsNeedAJoint) {

@@ -87,11 +87,27 @@ TEST_F(SceneSchema, AcceptsWhatTheReaderAccepts) {
            with_top(R"("camera": {"distance": [[0, 1]], "target": [[0, [0, 0, 0]]]}, "look": {})"),
            with_top(R"("look": {"shading": "depth", "background": "#FFF"})"),
            with_top(R"("look": {"background": "Transparent"})"),
+           with_top(R"("look": {"overlay": ["skeleton", "wire-all"], "compare": "bulge", "compare_as": "inset",
+                                "zoom": "leftHand"})"),
+           with_top(R"("look": {"overlay": [], "plot": "angle", "sheet": [20, 20], "captions": ["a", "b"]})"),
+           R"({"sinew": 1, "characters": [{"model": "builtin:woman"}]})",
            R"({"sinew": 1, "characters": [{"model": "builtin:arm"}]})"}) {
     const auto scene = parse_scene(good, "good.json", "");
     EXPECT_TRUE(scene) << good << "\n" << scene.error().message;
     EXPECT_TRUE(accepts(json::parse(good))) << good;
   }
+}
+
+TEST_F(SceneSchema, AcceptsTheScenesThatLieBesideIt) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(scenes)) {
+    if (entry.path().extension() != ".json" || entry.path().filename() == "scene.schema.json") continue;
+    const auto scene = read_scene(entry.path());
+    EXPECT_TRUE(scene) << scene.error().message;
+    EXPECT_TRUE(accepts(read_json(entry.path()))) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 1u);
 }
 
 TEST_F(SceneSchema, RefusesWhatTheReaderRefuses) {
@@ -134,6 +150,16 @@ TEST_F(SceneSchema, RefusesWhatTheReaderRefuses) {
                          {with_top(R"("look": {"background": "pink"})"), "/look/background"},
                          {with_top(R"("look": {"background": "#12345"})"), "/look/background"},
                          {with_top(R"("look": {"colour": "#fff"})"), "/look/colour"},
+                         {with_top(R"("look": {"overlay": "skeleton"})"), "/look/overlay"},
+                         {with_top(R"("look": {"overlay": ["skeletn"]})"), "/look/overlay/0"},
+                         {with_top(R"("look": {"overlay": ["box", "axes", "box"]})"), "/look/overlay/2"},
+                         {with_top(R"("look": {"compare": "other.json"})"), "/look/compare"},
+                         {with_top(R"("look": {"compare_as": "outset"})"), "/look/compare_as"},
+                         {with_top(R"("look": {"zoom": ""})"), "/look/zoom"},
+                         {with_top(R"("look": {"plot": true})"), "/look/plot"},
+                         {with_top(R"("look": {"sheet": [4]})"), "/look/sheet"},
+                         {with_top(R"("look": {"sheet": [0, 4]})"), "/look/sheet/0"},
+                         {with_top(R"("look": {"captions": []})"), "/look/captions"},
                          {with_character(R"("clip": -1)"), first + "/clip"},
                          {with_character(R"("clip": 1.5)"), first + "/clip"},
                          {with_character(R"("clip": null)"), first + "/clip"},

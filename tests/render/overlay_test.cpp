@@ -203,6 +203,41 @@ TEST(Overlay, AMuscleShowsItsPlaneEllipsesCentreAndVertices) {
   EXPECT_GT(pixel[0], 0xA0) << "translucent";
 }
 
+TEST(Overlay, AProjectionShowsTheWayFromTheSkinToThePlane) {
+  auto [muscle, region] = biceps();
+  region.vertices = {{.vertex = 0, .x = -0.3, .y = 0.2}};
+  const std::vector<Vec3> positions{{-0.2, 0.2, 0.6}}, normals{{0, 0, 1}};
+  OverlayContent content;
+  content.muscles = {posed_muscle(muscle, region, Mat4(1.0), positions, normals, 1.0)};
+  ASSERT_EQ(content.muscles[0].feet.size(), 1u);
+  EXPECT_LT(glm::distance(content.muscles[0].feet[0], Vec3(-0.2, 0.2, 0.0)), 1e-12);
+  content.muscles[0].gaussian = false;
+  const auto seen = [&](const Vec3& p) {
+    const Screen screen(front_view(), width, height);
+    return changed_near(drawn(content), grey(), screen.point(p)->at, 2.0);
+  };
+  // From the front a foot hides behind its vertex, and the line between them is seen end on.
+  EXPECT_EQ(seen({0.3, 0.0, 0.0}), 0) << "neither plane nor ellipse";
+  content.muscles[0].projection = true;
+  EXPECT_GT(seen({-0.2, 0.2, 0.0}), 3) << "the foot";
+  EXPECT_GT(seen({0.1, 0.0, 0.0}), 3) << "the centre";
+}
+
+TEST(Overlay, ArrowsReachOutFromTheSkin) {
+  auto [muscle, region] = biceps();
+  region.vertices = {{.vertex = 0}};
+  const std::vector<Vec3> positions{{0.0, 0.3, 0.0}}, normals{{0, 1, 0}};
+  OverlayContent content;
+  content.muscles = {posed_muscle(muscle, region, Mat4(1.0), positions, normals, 1.0)};
+  content.muscles[0].gaussian = false;
+  const Screen screen(front_view(), width, height);
+  // 0.35 of the mean sigma, 0.15: an arrow from 0.3 to 0.3525.
+  const Vec2 tip = screen.point({0.0, 0.3475, 0.0})->at;
+  EXPECT_EQ(changed_near(drawn(content), grey(), tip, 1.0), 0);
+  content.muscles[0].arrows = true;
+  EXPECT_GT(changed_near(drawn(content), grey(), tip, 1.5), 0);
+}
+
 TEST(Overlay, HiddenEdgesOfTheBoxAreFainter) {
   OverlayContent content;
   content.box = Bounds{Vec3(-0.5), Vec3(0.5)};

@@ -218,7 +218,7 @@ nlohmann::json ProgramTest::json(Arguments arguments, const ProgramOptions& opti
 std::string ProgramTest::arm() const {
   const std::string file = path("arm.glb");
   if (!fs::exists(file)) {
-    const ProgramResult result = run({"export", "--rig", "-o", file});
+    const ProgramResult result = run({"export", arm_scene, "--rig", "-o", file});
     EXPECT_EQ(result.exit_code, 0) << result;
   }
   return file;

@@ -22,6 +22,9 @@ namespace sinew::test {
 
 using Arguments = std::vector<std::string>;
 
+/// An arm that curls: small, and with one joint after another.
+inline const std::string arm_scene = std::string(SINEW_SOURCE_DIR) + "/scenes/arm.json";
+
 struct ProgramOptions {
   /// Over the test's own environment; nullopt takes a variable away.
   std::map<std::string, std::optional<std::string>> environment{};
@@ -101,7 +104,7 @@ class ProgramTest : public testing::Test {
   /// The object that a run with `--json` appended prints. The test fails where the exit code is not 0.
   nlohmann::json json(Arguments arguments, const ProgramOptions& options = {}) const;
 
-  /// The embedded scene's arm as a file of its own, for scenes that name a model.
+  /// The built-in arm as a file of its own, for scenes that name a model.
   std::string arm() const;
   void write(const std::string& name, const std::string& text) const;
   Bytes read(const std::string& name) const;
