@@ -92,8 +92,9 @@ class AmcReader {
     if (const Word extra = scanner_.peek(); !extra.first_of_line && !extra.end())
       return scanner_.wrong(extra, fmt::format("the end of the line after {} numbers", skeleton_.dof[j].size()));
     const Quat& axis = skeleton_.axis[j];
-    frame_.rotations[j] = glm::normalize(axis * turn * glm::conjugate(axis));
-    if (j == 0) frame_.rotations[j] = glm::normalize(axis * turn);
+    // A bone's axes stand in a world-parallel frame; the root's are its rest orientation.
+    const Quat back = j == 0 ? Quat(1, 0, 0, 0) : glm::conjugate(axis);
+    frame_.rotations[j] = glm::normalize(axis * turn * back);
     if (j == 0) frame_.root = joints()[0].offset + moved;
     offsets_[j] = joints()[j].offset + axis * moved;
     return {};

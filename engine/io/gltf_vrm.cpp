@@ -35,10 +35,14 @@ void add_bone(Document& document, const std::string& name, const json* node, con
 std::map<std::string, int> read_vrm_bones(Document& document) {
   std::map<std::string, int> bones;
   const json* modern = find(document.source, {"extensions", "VRMC_vrm", "humanoid", "humanBones"});
+  const json* animation = find(document.source, {"extensions", "VRMC_vrm_animation", "humanoid", "humanBones"});
   const json* older = find(document.source, {"extensions", "VRM", "humanoid", "humanBones"});
   if (modern != nullptr && modern->is_object()) {
     for (const auto& [name, bone] : modern->items())
       add_bone(document, name, find(bone, {"node"}), "extensions/VRMC_vrm/humanoid", bones);
+  } else if (animation != nullptr && animation->is_object()) {
+    for (const auto& [name, bone] : animation->items())
+      add_bone(document, name, find(bone, {"node"}), "extensions/VRMC_vrm_animation/humanoid", bones);
   } else if (older != nullptr && older->is_array()) {
     for (const json& bone : *older) {
       const json* name = find(bone, {"bone"});

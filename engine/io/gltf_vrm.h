@@ -1,5 +1,5 @@
 #pragma once
-/// The humanoid map that VRM files carry: VRM 1.0 (VRMC_vrm) and VRM 0.x (VRM).
+/// The humanoid map that VRM files carry: VRM 1.0 (VRMC_vrm), VRM 0.x (VRM) and VRM animations (VRMC_vrm_animation).
 
 #include <map>
 #include <string>
