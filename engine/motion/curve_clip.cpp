@@ -82,11 +82,16 @@ double largest_joint_distance(const MotionSkeleton& skeleton, const MotionFrame&
   return largest;
 }
 
-double skeleton_size(const MotionSkeleton& skeleton) {
+MotionFrame rest_frame(const MotionSkeleton& skeleton) {
   MotionFrame rest;
+  rest.root = skeleton.joints.front().offset;
   for (const MotionJoint& joint : skeleton.joints) rest.rotations.push_back(joint.rest_rotation);
+  return rest;
+}
+
+double skeleton_size(const MotionSkeleton& skeleton) {
   Bounds bounds;
-  for (const Vec3& place : places(skeleton, rest)) bounds.add(place);
+  for (const Vec3& place : places(skeleton, rest_frame(skeleton))) bounds.add(place);
   const Vec3 size = bounds.high - bounds.low;
   return std::max({size.x, size.y, size.z, 1e-9});
 }

@@ -48,6 +48,9 @@ MotionSamples motion_samples(const Motion& motion);
 /// worst, the skeleton's lengths.
 double largest_joint_distance(const MotionSkeleton& skeleton, const MotionFrame& a, const MotionFrame& b);
 
+/// Every joint as it rests.
+MotionFrame rest_frame(const MotionSkeleton& skeleton);
+
 /// From the lowest to the highest joint at rest, or across where that is more; the skeleton's lengths, above 0.
 double skeleton_size(const MotionSkeleton& skeleton);
 

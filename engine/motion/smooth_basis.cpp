@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include <Eigen/LU>
+
 namespace sinew {
 namespace {
 
@@ -49,6 +51,10 @@ SegmentMatrix smooth_basis(int degree, double length, double slope_unit) {
 SegmentMatrix curvature_integrals(int degree) {
   static const SegmentMatrix all = all_curvature_integrals();
   return all.topLeftCorner(degree + 1, degree + 1);
+}
+
+SegmentVector solve_square(const SegmentMatrix& matrix, const SegmentVector& right) {
+  return matrix.partialPivLu().solve(right);
 }
 
 }  // namespace sinew

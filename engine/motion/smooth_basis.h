@@ -27,4 +27,7 @@ SegmentMatrix smooth_basis(int degree, double length, double slope_unit);
 /// The integral of f'' g'' over -1..1 for Legendre's polynomials f and g, [degree + 1, degree + 1].
 SegmentMatrix curvature_integrals(int degree);
 
+/// x of matrix x = right, by pivoted LU; the matrix is regular.
+SegmentVector solve_square(const SegmentMatrix& matrix, const SegmentVector& right);
+
 }  // namespace sinew
