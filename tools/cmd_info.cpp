@@ -1,9 +1,12 @@
+#include <fstream>
 #include <iostream>
 
 #include "engine/app/describe.h"
 #include "engine/app/measure.h"
+#include "engine/app/motion_use.h"
 #include "engine/core/files.h"
 #include "tools/command.h"
+#include "tools/motion_report.h"
 #include "tools/muscle_report.h"
 
 namespace sinew::tools {
@@ -119,10 +122,34 @@ Result<void> list_devices(const Words& words) {
   return {};
 }
 
+bool holds_motion_alone(const std::string& file) {
+  constexpr std::size_t head = 4096;  // what tells is at the beginning
+  std::vector<unsigned char> bytes(head);
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(bytes.data()), head);
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return !bytes.empty() && is_motion_alone(file, bytes);
+}
+
+Result<void> motion_info(const Words& words) {
+  if (!words.poses.empty() || !words.clip.empty() || !words.girth.empty() || !words.volume.empty())
+    return bad_input("{}: is a motion: it has no body to pose or measure", words.file);
+  const auto json = motion_report(words.file);
+  if (!json) return tl::unexpected<Error>(json.error());
+  if (words.common.json) {
+    print_json(*json);
+  } else {
+    print_text(*json);
+  }
+  return {};
+}
+
 Result<void> info(const Words& words) {
   apply_verbosity(words.common);
   if (words.devices) return list_devices(words);
-  if (words.file.empty()) return failure(ErrorKind::usage, "info: name a model or a scene file, or ask for --devices");
+  if (words.file.empty())
+    return failure(ErrorKind::usage, "info: name a model, a motion or a scene file, or ask for --devices");
+  if (holds_motion_alone(words.file)) return motion_info(words);
   SceneWords scene;
   scene.scene = words.file;
   scene.poses = words.poses;
@@ -148,10 +175,10 @@ Result<void> info(const Words& words) {
 }  // namespace
 
 void add_info(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("info", "What a model or a scene holds");
+  auto* command = program.add_subcommand("info", "What a model, a motion or a scene holds");
   command->footer("Example: sinew info character.glb --girth leftUpperArm --pose leftLowerArm=0,-90,0");
   auto words = std::make_shared<Words>();
-  command->add_option("file", words->file, "A .glb, .gltf, .vrm or scene file");
+  command->add_option("file", words->file, "A .glb, .gltf, .vrm, .bvh, .amc, .vrma or scene file");
   command->add_flag("--devices", words->devices, "List the Vulkan devices");
   command->add_option("--pose", words->poses, "JOINT=x,y,z: also report the muscles' angles in this pose")
       ->allow_extra_args(false);

@@ -1,14 +1,15 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
+#include "engine/app/built_in_model.h"
 #include "engine/app/stage.h"
-#include "engine/body/arm.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/gltf_read.h"
 #include "engine/io/scene_file.h"
 #include "engine/model/resample.h"
 #include "engine/model/scene_words.h"
+#include "engine/rig/motion_file.h"
 
 namespace sinew {
 namespace {
@@ -61,6 +62,11 @@ Result<OpenedScene> open_scene(const std::string& source) {
     if (!scene) return pass_on(std::move(scene));
     return OpenedScene{std::move(*scene), false};
   }
+  if (is_motion_alone(source, *bytes)) {
+    OpenedScene opened = bare_model_scene("builtin:figure");
+    opened.scene.characters.front().motion = MotionUse{.source = MotionFile{source, ""}};
+    return opened;
+  }
   OpenedScene opened = bare_model_scene(source);
   opened.model_bytes = std::move(*bytes);
   return opened;
@@ -100,7 +106,9 @@ std::string content_hash(Sha256& hash, const Model& model) {
 Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
   const std::string name = character.scene.model.string();
   if (is_built_in_model(name)) {
-    character.model = std::make_unique<Model>(make_arm());
+    auto built = built_in_model(name);
+    if (!built) return pass_on(std::move(built));
+    character.model = std::make_unique<Model>(std::move(*built));
     character.model_hash = name;
     return {};
   }
@@ -153,7 +161,8 @@ Result<void> find_tracks(StagedCharacter& character, const Place& place) {
   for (const auto& [joint, keys] : character.scene.keys) {
     auto node = find_joint(*character.model, character.humanoid, joint);
     if (!node) return place.at("/keys/" + joint, std::move(node));
-    character.tracks.push_back({*node, keys});
+    const bool added = character.scene.motion && character.scene.motion->keys == KeyBlend::add;
+    character.tracks.push_back({*node, keys, added});
   }
   return {};
 }
@@ -215,11 +224,17 @@ Result<void> prepare_model(StagedCharacter& character, const SceneOptions& optio
 
 Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
                      std::vector<std::string>& problems) {
+  const std::filesystem::path library = opened.scene.library.value_or(options.library);
   const bool bare_model = opened.bare_model;
   auto bytes = std::exchange(opened.model_bytes, std::nullopt);
   if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
   std::vector<std::string> found = character.model->problems;
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
+  if (const auto& use = character.scene.motion) {
+    auto motion = stage_motion(*use, library, *character.model, character.humanoid, found);
+    if (!motion) return place.at("/motion", std::move(motion));
+    character.motion = std::move(*motion);
+  }
   if (auto ok = find_tracks(character, place); !ok) return ok;
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
@@ -235,7 +250,6 @@ void note_unsupported(const Character& character, std::vector<std::string>& prob
   const auto note = [&](bool asked, const char* what) {
     if (asked) problems.push_back(fmt::format("{}: \"{}\" is not shown yet", character.model.string(), what));
   };
-  note(character.motion.has_value(), "motion");
   note(character.expressions.has_value(), "expressions");
   note(!character.regions.empty(), "regions");
   note(!character.emotion.empty(), "emotion");
@@ -255,6 +269,7 @@ FrameSpan natural_range(const Stage& stage) {
     // A duration that is a whole number of frames up to rounding must not grow by one.
     if (character.clip >= 0)
       last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
+    if (character.motion) last = std::max(last, std::ceil(last_frame(*character.motion, stage.scene.fps) - 1e-6));
     for (const StagedCharacter::JointTrack& track : character.tracks) reach(track.degrees);
   }
   return {0, static_cast<int>(std::clamp(last, 0.0, 1e7))};
@@ -265,7 +280,11 @@ std::string hash_scene(const Stage& stage, const SceneOptions& options) {
   Scene scene = stage.scene;
   scene.frames = stage.range;
   // Where a model lies does not change what is shown; what is in it does.
-  for (std::size_t i = 0; i < scene.characters.size(); ++i) scene.characters[i].model = stage.characters[i].model_hash;
+  for (std::size_t i = 0; i < scene.characters.size(); ++i) {
+    scene.characters[i].model = stage.characters[i].model_hash;
+    if (const auto& motion = stage.characters[i].motion)
+      scene.characters[i].motion->source = LibraryClip{motion->content_hash};
+  }
   json["scene"] = scene_text(scene, {});
   for (const StagedCharacter& character : stage.characters) {
     json["clips"].push_back(character.clip);
@@ -284,8 +303,7 @@ Result<Stage> open_stage(const SceneOptions& options) {
   if (!opened) return pass_on(std::move(opened));
   Stage stage;
   stage.source = options.scene.empty() ? "the embedded scene" : options.scene;
-  stage.scene = std::move(opened->scene);
-  if (stage.scene.library) stage.problems.push_back(fmt::format("{}: \"library\" is not used yet", stage.source));
+  stage.scene = opened->scene;
   stage.is_scene = !opened->bare_model;
   stage.strength = options.strength;
   if (options.fps) stage.scene.fps = *options.fps;

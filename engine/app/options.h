@@ -29,7 +29,8 @@ struct SceneOptions {
   std::vector<PoseOption> poses;
   std::optional<ClipChoice> clip;
   std::optional<double> fps;
-  double strength = 1.0;     ///< of all muscles, 0 to 1
+  std::filesystem::path library;  ///< motion library where the scene names none; empty: the user's own
+  double strength = 1.0;          ///< of all muscles, 0 to 1
   std::size_t vertices = 0;  ///< resample every character to about so many; 0: as the file has it
 };
 

@@ -66,8 +66,11 @@ Pose character_pose(const Stage& stage, std::size_t index, double frame) {
   const StagedCharacter& character = stage.characters[index];
   Pose pose = rest_pose(*character.model);
   if (character.clip >= 0) sample_clip(character.model->clips[character.clip], frame / stage.scene.fps, pose);
-  for (const StagedCharacter::JointTrack& track : character.tracks)
-    turn_joint(*character.model, character.rest_rotations, track.node, track.degrees.value_at(frame), pose);
+  if (character.motion) play_motion(*character.motion, frame, stage.scene.fps, pose);
+  for (const StagedCharacter::JointTrack& track : character.tracks) {
+    const auto turn = track.added ? turn_joint_further : turn_joint;
+    turn(*character.model, character.rest_rotations, track.node, track.degrees.value_at(frame), pose);
+  }
   return pose;
 }
 
@@ -119,7 +122,10 @@ Bounds stage_bounds(const Stage& stage) {
 
 Result<void> check_not_an_input(const Stage& stage, const std::string& output) {
   std::vector<std::filesystem::path> inputs{stage.source};
-  for (const StagedCharacter& character : stage.characters) inputs.push_back(character.scene.model);
+  for (const StagedCharacter& character : stage.characters) {
+    inputs.push_back(character.scene.model);
+    if (character.motion) inputs.push_back(character.motion->file);
+  }
   std::error_code error;
   for (const std::filesystem::path& input : inputs)
     if (std::filesystem::equivalent(input, output, error))

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/motion_use.h"
 #include "engine/app/options.h"
 #include "engine/body/muscle_placement.h"
 #include "engine/deform/reference.h"
@@ -24,11 +25,13 @@ struct StagedCharacter {
   RestShape rest;
   std::vector<PlacedMuscle> muscles;
   int clip = -1;  ///< index into the model's clips, -1: none
+  std::optional<StagedMotion> motion;
 
   /// A joint's angles over time.
   struct JointTrack {
     int node = -1;
     Keyed<Vec3> degrees;
+    bool added = false;  ///< on top of the motion, not in its place
   };
   std::vector<JointTrack> tracks;  ///< the scene's keys, then --pose: the later wins
 };

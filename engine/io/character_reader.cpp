@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path read_model(const JsonValue& value, const fs::path& folder) {
-  const std::string written = value.text("the path of a model (.glb, .gltf), or \"builtin:arm\"");
+  const std::string written = value.text("the path of a model (.glb, .gltf), or \"builtin:figure\"");
   if (is_built_in_model(written)) value.word(built_in_model_names());
   return resolved_path(written, folder);
 }
@@ -31,9 +31,34 @@ bool is_motion_path(const std::string& written) {
          (extension.size() > 1 && std::isalpha(static_cast<unsigned char>(extension[1])));
 }
 
-MotionChoice read_motion(const JsonValue& value, const fs::path& folder) {
+MotionChoice read_motion_choice(const JsonValue& value, const fs::path& folder) {
   const std::string written = value.text("the path of a motion file, or the name of a clip in the library");
-  return is_motion_path(written) ? MotionChoice(resolved_path(written, folder)) : MotionChoice(LibraryClip{written});
+  return is_motion_path(written) ? MotionChoice(MotionFile{resolved_path(written, folder), ""})
+                                 : MotionChoice(LibraryClip{written});
+}
+
+/// A name alone, or an object with "file" or "clip".
+MotionUse read_motion(const JsonValue& value, const fs::path& folder) {
+  static const std::vector<std::string> known{"file", "clip", "start", "speed", "weight", "keys"};
+  MotionUse use;
+  if (!value.is_object()) {
+    use.source = read_motion_choice(value, folder);
+    return use;
+  }
+  if (!value.expect_object(known)) return use;
+  const auto file = value.find("file"), clip = value.find("clip");
+  const std::string name = clip ? clip->text("a clip's name") : std::string();
+  if (file) {
+    use.source = MotionFile{resolved_path(file->text("the path of a motion file"), folder), name};
+  } else {
+    use.source = LibraryClip{name};
+    if (!clip) value.error_expected("an object with \"file\", or with \"clip\" of the library");
+  }
+  if (const auto start = value.find("start")) use.start = read_key_frame(*start);
+  if (const auto speed = value.find("speed")) use.speed = speed->number({.low = 0, .high = 1000, .above_low = true});
+  if (const auto weight = value.find("weight")) use.weight = read_keyed_number(*weight, {0, 1});
+  if (const auto keys = value.find("keys")) use.keys = static_cast<KeyBlend>(keys->word(key_blend_names()));
+  return use;
 }
 
 int read_count(const JsonValue& value) {
@@ -124,7 +149,7 @@ Character read_character(const JsonValue& value, const fs::path& folder) {
                                               "muscles", "keys", "expressions", "regions",  "emotion"};
   Character character;
   if (!value.expect_object(known)) return character;
-  if (const auto model = value.require("model", "the path of a model (.glb, .gltf), or \"builtin:arm\""))
+  if (const auto model = value.require("model", "the path of a model (.glb, .gltf), or \"builtin:figure\""))
     character.model = read_model(*model, folder);
   if (const auto clip = value.find("clip")) character.clip = read_clip(*clip);
   if (const auto motion = value.find("motion")) character.motion = read_motion(*motion, folder);

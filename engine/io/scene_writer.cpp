@@ -71,11 +71,26 @@ ordered_json clip_to_json(const ClipChoice& clip) {
   return "none";
 }
 
-std::string motion_text(const MotionChoice& motion, const fs::path& folder) {
-  if (const LibraryClip* clip = std::get_if<LibraryClip>(&motion)) return clip->name;
-  const std::string path = path_text(std::get<fs::path>(motion), folder);
-  // Without a slash a file's name might read as that of a clip.
-  return path.find('/') == std::string::npos ? "./" + path : path;
+ordered_json motion_to_json(const MotionUse& use, const fs::path& folder) {
+  ordered_json object = ordered_json::object();
+  if (const LibraryClip* library = std::get_if<LibraryClip>(&use.source)) {
+    object["clip"] = library->name;
+  } else {
+    const MotionFile& file = std::get<MotionFile>(use.source);
+    object["file"] = path_text(file.path, folder);
+    if (!file.clip.empty()) object["clip"] = file.clip;
+  }
+  const MotionUse defaults;
+  if (use.start != defaults.start) object["start"] = json_number(use.start);
+  if (use.speed != defaults.speed) object["speed"] = json_number(use.speed);
+  if (use.weight != defaults.weight) object["weight"] = keyed_to_json(use.weight);
+  if (use.keys != defaults.keys) object["keys"] = word(use.keys, key_blend_names());
+  if (object.size() > 1) return object;
+  // A name alone says it all. Without a slash a file's might read as that of a clip, and the other way round.
+  const std::string name = object.front();
+  if (object.contains("file")) return name.find('/') == std::string::npos ? "./" + name : name;
+  const bool reads_as_path = name.find_first_of("/.") != std::string::npos;
+  return reads_as_path ? object : ordered_json(name);
 }
 
 template <class T>
@@ -123,7 +138,7 @@ ordered_json character_to_json(const Character& character, const fs::path& folde
   const Character defaults;
   ordered_json object{{"model", path_text(character.model, folder)}};
   if (character.clip) object["clip"] = clip_to_json(*character.clip);
-  if (character.motion) object["motion"] = motion_text(*character.motion, folder);
+  if (character.motion) object["motion"] = motion_to_json(*character.motion, folder);
   if (character.position != defaults.position) object["position"] = keyed_to_json(character.position);
   if (character.turn != defaults.turn) object["turn"] = keyed_to_json(character.turn);
   if (character.count != defaults.count) object["count"] = character.count;

@@ -33,15 +33,15 @@ struct Colour {
 /// (engine/definitions.md 6 and 7). Without a preset all but driver, tip and rest_angle are there.
 struct MuscleSpec {
   std::optional<MusclePreset> preset;
-  std::optional<MuscleSide> side;         ///< there exactly where a preset is
-  std::optional<std::string> name;        ///< absent: "biceps_left" and so on
-  std::optional<std::string> bone;        ///< joint whose segment carries the muscle
-  std::optional<std::string> child;       ///< joint at the segment's far end
-  std::optional<std::string> driver;      ///< joint whose bending drives it; absent without a preset: `child`
-  std::optional<std::string> before;      ///< joint that the driver's angle is measured from; absent: its parent
-  std::optional<std::string> tip;         ///< joint beyond the driver; absent: the next on the chain
+  std::optional<MuscleSide> side;     ///< there exactly where a preset is
+  std::optional<std::string> name;    ///< absent: "biceps_left" and so on
+  std::optional<std::string> bone;    ///< joint whose segment carries the muscle
+  std::optional<std::string> child;   ///< joint at the segment's far end
+  std::optional<std::string> driver;  ///< joint whose bending drives it; absent without a preset: `child`
+  std::optional<std::string> before;  ///< joint that the driver's angle is measured from; absent: its parent
+  std::optional<std::string> tip;     ///< joint beyond the driver; absent: the next on the chain
   std::optional<std::vector<std::string>> except;  ///< joints below `bone` that are not the segment's; absent: none
-  std::optional<Vec3> facing;             ///< towards the belly, any length but 0
+  std::optional<Vec3> facing;                      ///< towards the belly, any length but 0
   std::optional<double> from, to;         ///< along the segment, 0 at `bone`, 1 at `child`; within -1..2, from < to
   std::optional<double> spread;           ///< degrees to either side of `facing`, 0..180
   std::optional<double> peak;             ///< swelling at the centre at the reference angle; negative: a hollow
@@ -79,14 +79,37 @@ struct LibraryClip {
   std::string name;
   bool operator==(const LibraryClip&) const = default;
 };
+/// A motion file, and which of its clips.
+struct MotionFile {
+  std::filesystem::path path;
+  std::string clip;  ///< of a glTF file's animations; empty: the first
+  bool operator==(const MotionFile&) const = default;
+};
 /// A clip of the library, or a motion file.
-using MotionChoice = std::variant<LibraryClip, std::filesystem::path>;
+using MotionChoice = std::variant<LibraryClip, MotionFile>;
+
+/// What `keys` do to a joint that a motion moves.
+enum class KeyBlend {
+  replace,  ///< turn it from its rest pose: the motion moves it no longer
+  add,      ///< turn it further, from where the motion has it
+};
+
+/// A motion that a character plays.
+struct MotionUse {
+  MotionChoice source;
+  double start = 0.0;  ///< the frame at which it begins; its first pose is held before, its last one after its end
+  double speed = 1.0;  ///< > 0; 2 plays it in half its time
+  Keyed<double> weight = Keyed<double>::constant(1);  ///< 0: what the clip or rest pose does; 1: the motion
+  KeyBlend keys = KeyBlend::replace;
+
+  bool operator==(const MotionUse&) const = default;
+};
 
 /// One model and all that happens to it. What moves a joint, later over earlier: rest pose, clip, motion, keys.
 struct Character {
   std::filesystem::path model;                            ///< a glTF file, or a built-in model's name ("builtin:arm")
   std::optional<ClipChoice> clip;                         ///< absent: the scene does not say
-  std::optional<MotionChoice> motion;                     ///< absent: none
+  std::optional<MotionUse> motion;                        ///< absent: none
   Keyed<Vec3> position = Keyed<Vec3>::constant(Vec3(0));  ///< of the model's origin
   Keyed<double> turn = Keyed<double>::constant(0);        ///< degrees about +Y
   int count = 1;                                          ///< copies; more than 1 is refused until crowds exist

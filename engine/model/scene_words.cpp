@@ -42,8 +42,13 @@ std::span<const std::string> shading_names() {
   return names;
 }
 
+std::span<const std::string> key_blend_names() {
+  static const std::array<std::string, 2> names{"replace", "add"};
+  return names;
+}
+
 std::span<const std::string> built_in_model_names() {
-  static const std::array<std::string, 1> names{"builtin:arm"};
+  static const std::array<std::string, 2> names{"builtin:arm", "builtin:figure"};
   return names;
 }
 

@@ -16,6 +16,7 @@ std::span<const std::string> muscle_preset_names();
 std::span<const std::string> expression_names();  ///< also the tags that a motion may carry
 std::span<const std::string> view_names();
 std::span<const std::string> shading_names();
+std::span<const std::string> key_blend_names();
 
 /// Models that need no file; a scene names them where a path could stand.
 std::span<const std::string> built_in_model_names();

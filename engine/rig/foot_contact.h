@@ -34,9 +34,9 @@ class FootContact {
   double floor_ = 0.0;
 };
 
-/// How far each frame has to be lifted so that nothing sinks, without jerks: 0 where `heights` stays far from the floor.
-/// [frames] of heights over the floor, negative where sunk. The lift begins and ends `reach` frames around the sunk
-/// ones and is at least what they need.
+/// How far each frame has to be lifted so that nothing sinks, without jerks: 0 where `heights` stays far from the
+/// floor. [frames] of heights over the floor, negative where sunk. The lift begins and ends `reach` frames around the
+/// sunk ones and is at least what they need.
 std::vector<double> smooth_lift(std::span<const double> heights, std::size_t reach);
 
 }  // namespace sinew

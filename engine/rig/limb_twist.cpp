@@ -2,6 +2,7 @@
 
 #include "engine/core/text.h"
 #include "engine/rig/joint_tree.h"
+#include "engine/rig/rest_alignment.h"
 
 namespace sinew {
 namespace {
@@ -72,8 +73,7 @@ void share_twist(const Model& model, const TwistSegment& segment, std::span<cons
   // What the twisting joint would do if it only followed the one above it.
   const int twisting = segment.upper ? segment.bone : segment.next;
   const int above = segment.upper ? model.nodes[at(segment.bone)].parent : segment.bone;
-  const Quat parent_turn =
-      above >= 0 ? rotations[at(above)] * glm::conjugate(rest[at(above)]) : Quat(1, 0, 0, 0);
+  const Quat parent_turn = above >= 0 ? rotations[at(above)] * glm::conjugate(rest[at(above)]) : Quat(1, 0, 0, 0);
   const Quat turn = rotations[at(twisting)] * glm::conjugate(rest[at(twisting)]);
   // In rest coordinates, where the segment's axis is `along`.
   const double twist = twist_degrees(glm::normalize(glm::conjugate(parent_turn) * turn), along) * degrees_to_radians;
@@ -92,7 +92,19 @@ void share_twist(const Model& model, const TwistSegment& segment, std::span<cons
         turned(segment.between[i], twist * static_cast<double>(i + 2) / steps - missing);
   for (const TwistSegment::Leaf& leaf : segment.leaves)
     rotations[at(leaf.node)] = turned(leaf.node, twist * leaf.at - missing);
-  if (n > 0.0) rotations[at(segment.bone)] = turned(segment.bone, twist / steps - missing);
+  if (segment.between.empty()) return;
+  rotations[at(segment.bone)] = turned(segment.bone, twist / steps - missing);
+  // Twist joints beside the axis carry what is after them round it: the whole is turned back to where it pointed.
+  Vec3 reached(0.0);
+  std::vector<int> path{segment.bone};
+  path.insert(path.end(), segment.between.begin(), segment.between.end());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const int end = i + 1 < path.size() ? path[i + 1] : segment.next;
+    const Vec3 step(rest_global[at(end)][3] - rest_global[at(path[i])][3]);
+    reached += rotations[at(path[i])] * (glm::conjugate(rest[at(path[i])]) * step);
+  }
+  const Quat back = turn_between(reached, axis);
+  for (const int node : path) rotations[at(node)] = glm::normalize(back * rotations[at(node)]);
 }
 
 }  // namespace sinew

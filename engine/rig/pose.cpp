@@ -46,10 +46,28 @@ std::vector<Quat> rest_rotations(const Model& model, std::span<const int> order)
 }
 
 void turn_joint(const Model& model, std::span<const Quat> rest_rotations, int node, const Vec3& degrees, Pose& pose) {
+  pose.local[node].rotation = model.nodes[node].rest.rotation;
+  turn_joint_further(model, rest_rotations, node, degrees, pose);
+}
+
+void turn_joint_further(const Model& model, std::span<const Quat> rest_rotations, int node, const Vec3& degrees,
+                        Pose& pose) {
   const int parent = model.nodes[node].parent;
   const Quat w = parent >= 0 ? rest_rotations[parent] : Quat(1, 0, 0, 0);
   pose.local[node].rotation =
-      glm::normalize(glm::conjugate(w) * rotation_xyz_degrees(degrees) * w * model.nodes[node].rest.rotation);
+      glm::normalize(glm::conjugate(w) * rotation_xyz_degrees(degrees) * w * pose.local[node].rotation);
+}
+
+void blend_pose(const Pose& towards, double weight, Pose& pose) {
+  for (std::size_t i = 0; i < pose.local.size(); ++i) {
+    Transform& local = pose.local[i];
+    const Transform& other = towards.local[i];
+    local.translation = glm::mix(local.translation, other.translation, weight);
+    local.rotation = glm::normalize(glm::slerp(local.rotation, other.rotation, weight));
+    local.scale = glm::mix(local.scale, other.scale, weight);
+    for (std::size_t k = 0; k < pose.morph_weights[i].size(); ++k)
+      pose.morph_weights[i][k] = std::lerp(pose.morph_weights[i][k], towards.morph_weights[i][k], weight);
+  }
 }
 
 std::vector<Mat34> palette_transforms(const CharacterMesh& mesh, std::span<const Mat4> global, const Mat4& placement) {

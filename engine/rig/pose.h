@@ -30,6 +30,14 @@ std::vector<Quat> rest_rotations(const Model& model, std::span<const int> order)
 /// own axes are: the new local rotation is W^-1 R W q (scenes/README.md, "Joint keys").
 void turn_joint(const Model& model, std::span<const Quat> rest_rotations, int node, const Vec3& degrees, Pose& pose);
 
+/// Turns a node further from where the pose has it, about the same axes: the new local rotation is W^-1 R W p.
+void turn_joint_further(const Model& model, std::span<const Quat> rest_rotations, int node, const Vec3& degrees,
+                        Pose& pose);
+
+/// Goes from one pose towards another, weight 0 to 1: rotations by slerp the shorter way, the rest in proportion.
+/// Both are of the same model.
+void blend_pose(const Pose& towards, double weight, Pose& pose);
+
 /// Final transforms F_i = C_i B_i of a mesh's palette, [palette], moved by `placement` (model to world).
 std::vector<Mat34> palette_transforms(const CharacterMesh& mesh, std::span<const Mat4> global,
                                       const Mat4& placement = Mat4(1.0));

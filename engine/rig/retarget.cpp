@@ -4,6 +4,8 @@
 
 #include "engine/model/character_mesh.h"
 #include "engine/rig/foot_contact.h"
+#include "engine/rig/joint_matching.h"
+#include "engine/rig/joint_tree.h"
 #include "engine/rig/limb_twist.h"
 #include "engine/rig/motion_rig.h"
 #include "engine/rig/pose.h"
@@ -15,45 +17,6 @@ namespace {
 using enum HumanoidBone;
 
 std::size_t at(int node) { return static_cast<std::size_t>(node); }
-
-/// What a node of the model turns like: one joint of the motion, or between two.
-struct Follow {
-  int node = -1;
-  int first = -1, second = -1;  ///< joints; second -1: the first alone
-  double share = 0.0;           ///< of the second
-};
-
-/// Chains of any two numbers of joints, matched so that the last follows the last. `before`: the joint below both.
-void follow_chain(const std::vector<int>& nodes, const std::vector<int>& joints, int before,
-                  std::vector<Follow>& follows) {
-  if (nodes.empty() || joints.empty()) return;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double place = static_cast<double>((i + 1) * joints.size()) / static_cast<double>(nodes.size());
-    const auto whole = static_cast<std::size_t>(place + 1e-9);
-    const double share = place - static_cast<double>(whole);
-    const int first = whole == 0 ? before : joints[whole - 1];
-    if (share < 1e-6 || whole >= joints.size())
-      follows.push_back({nodes[i], first, -1, 0.0});
-    else
-      follows.push_back({nodes[i], first, joints[whole], share});
-  }
-}
-
-/// Joints from above the hips up to below the neck, or the head where there is no neck.
-std::vector<int> trunk_of(const Model& model, const Humanoid& humanoid) {
-  const HumanoidBone top = humanoid.find(neck) >= 0 ? neck : head;
-  std::vector<int> chain = joints_between(model, humanoid, hips, top);
-  if (!chain.empty()) chain.pop_back();
-  return chain;
-}
-
-std::vector<int> neck_of(const Model& model, const Humanoid& humanoid) {
-  if (humanoid.find(head) < 0) return {};
-  if (humanoid.find(neck) < 0) return {humanoid.find(head)};
-  std::vector<int> chain = joints_between(model, humanoid, neck, head);
-  chain.insert(chain.begin(), humanoid.find(neck));
-  return chain;
-}
 
 class Retargeter {
  public:
@@ -74,7 +37,7 @@ class Retargeter {
     if (humanoid_.find(hips) < 0)
       return bad_input("{}: the model has no humanoid hips, so that no motion fits it", model_.file);
     out_.notes = rig_.notes;
-    find_follows();
+    follows_ = match_joints(model_, humanoid_, order_, rig_.model, rig_.humanoid);
     if (follows_.size() < 2)
       return bad_input("{}: has no joint but the hips in common with {}", motion_.name, model_.file);
     align();
@@ -92,22 +55,6 @@ class Retargeter {
     return "its joints are " + names + (motion_.skeleton.joints.size() > most_named ? " ..." : "");
   }
 
-  void find_follows() {
-    const int joint_hips = rig_.humanoid.find(hips), node_hips = humanoid_.find(hips);
-    follows_.push_back({node_hips, joint_hips, -1, 0.0});
-    const std::vector<int> trunk = trunk_of(rig_.model, rig_.humanoid);
-    follow_chain(trunk_of(model_, humanoid_), trunk, joint_hips, follows_);
-    follow_chain(neck_of(model_, humanoid_), neck_of(rig_.model, rig_.humanoid),
-                 trunk.empty() ? joint_hips : trunk.back(), follows_);
-    for (std::size_t i = index_of(jaw); i < humanoid_bone_count; ++i)
-      if (humanoid_.node[i] >= 0 && rig_.humanoid.node[i] >= 0)
-        follows_.push_back({humanoid_.node[i], rig_.humanoid.node[i], -1, 0.0});
-    std::vector<std::size_t> rank(model_.nodes.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) rank[at(order_[i])] = i;
-    std::stable_sort(follows_.begin(), follows_.end(),
-                     [&](const Follow& a, const Follow& b) { return rank[at(a.node)] < rank[at(b.node)]; });
-  }
-
   /// After this a node's rotation in the world is `to_world_` times the joint's turn from rest times `aligned_`.
   void align() {
     const MotionPose rest = motion_rest(motion_.skeleton);
@@ -123,10 +70,22 @@ class Retargeter {
       out_.notes.push_back("hip heights are not known of both bodies: lengths are not scaled");
   }
 
+  void find_strays() {
+    const JointTree tree(model_, rest_global_);
+    for (const HumanoidBone bone : {left_lower_arm, right_lower_arm, left_hand, right_hand, left_lower_leg,
+                                    right_lower_leg, left_foot, right_foot}) {
+      const int node = humanoid_.find(bone), limb = humanoid_.find(*parent_bone(bone));
+      if (node < 0 || limb < 0 || tree.is_below(node, limb)) continue;
+      const Vec3 offset(glm::inverse(rest_global_[at(limb)]) * rest_global_[at(node)][3]);
+      strays_.push_back({node, limb, offset, tree.is_below(node, humanoid_.find(hips))});
+    }
+  }
+
   /// Which nodes the clip moves.
   void measure() {
+    find_strays();
     moved_.assign(model_.nodes.size(), false);
-    for (const Follow& follow : follows_) moved_[at(follow.node)] = true;
+    for (const JointFollow& follow : follows_) moved_[at(follow.node)] = true;
     for (const TwistSegment& segment : twists_) {
       for (const int node : segment.between) moved_[at(node)] = true;
       for (const TwistSegment::Leaf& leaf : segment.leaves) moved_[at(leaf.node)] = true;
@@ -142,7 +101,7 @@ class Retargeter {
       while (joint >= static_cast<int>(joint_rest_.size())) joint = rig_.model.nodes[at(joint)].parent;
       return pose.rotations[at(joint)] * glm::conjugate(joint_rest_[at(joint)]);
     };
-    for (const Follow& follow : follows_) {
+    for (const JointFollow& follow : follows_) {
       Quat q = turn(follow.first);
       if (follow.second >= 0) q = glm::slerp(q, turn(follow.second), follow.share);
       global[at(follow.node)] = glm::normalize(to_world_ * q * aligned_[at(follow.node)]);
@@ -200,9 +159,12 @@ class Retargeter {
       Pose pose = posed(rotations(source));
       places.push_back(out_.scale * (to_world_ * source.places[at(joint_hips)]));
       pose.local[at(node_hips)].translation = hips_translation(places.back());
+      place_strays(pose);
       heights.push_back(feet_.height(global_transforms(model_, order_, pose)));
       for (Channel& channel : channels) add_rotation(pose.local[at(channel.node)].rotation, channel);
+      for (const Stray& stray : strays_) stray_places_.push_back(pose.local[at(stray.node)].translation);
     }
+    unsettled_places_ = places;
     settle(rest_place, options, places, heights);
     Channel path{node_hips, ChannelPath::translation, Interpolation::linear, 3, {}, {}};
     for (const Vec3& place : places) {
@@ -210,10 +172,38 @@ class Retargeter {
       path.values.insert(path.values.end(), {local.x, local.y, local.z});
     }
     channels.push_back(std::move(path));
+    for (std::size_t i = 0; i < strays_.size(); ++i) channels.push_back(stray_path(i, places));
     std::vector<double> times;
     for (std::size_t f = 0; f < count; ++f) times.push_back(static_cast<double>(f) * motion_.frame_time);
     for (Channel& channel : channels) channel.times = times;
     out_.clip = {motion_.name, std::move(channels), motion_.duration()};
+  }
+
+  /// Hands and feet that hang from elsewhere than their limb (from a root for IK) stand where the limb ends.
+  void place_strays(Pose& pose) const {
+    for (const Stray& stray : strays_) {
+      const std::vector<Mat4> global = global_transforms(model_, order_, pose);
+      const Vec3 end(global[at(stray.limb)] * Vec4(stray.offset, 1.0));
+      const int parent = model_.nodes[at(stray.node)].parent;
+      pose.local[at(stray.node)].translation =
+          parent < 0 ? end : Vec3(glm::inverse(global[at(parent)]) * Vec4(end, 1.0));
+    }
+  }
+
+  /// Their way over all frames; what the hips were moved by since they were placed moves them as well.
+  Channel stray_path(std::size_t index, const std::vector<Vec3>& places) const {
+    const Stray& stray = strays_[index];
+    Channel path{stray.node, ChannelPath::translation, Interpolation::linear, 3, {}, {}};
+    for (std::size_t f = 0; f < places.size(); ++f) {
+      Vec3 local = stray_places_[f * strays_.size() + index];
+      if (!stray.below_hips) {
+        const int parent = model_.nodes[at(stray.node)].parent;
+        const Vec3 moved = places[f] - unsettled_places_[f];
+        local += parent < 0 ? moved : Vec3(glm::inverse(rest_global_[at(parent)]) * Vec4(moved, 0.0));
+      }
+      path.values.insert(path.values.end(), {local.x, local.y, local.z});
+    }
+    return path;
   }
 
   /// The shorter way round from the key before.
@@ -252,6 +242,12 @@ class Retargeter {
     for (std::size_t f = 0; f < places.size(); ++f) places[f].y += lift[f];
   }
 
+  struct Stray {
+    int node = -1, limb = -1;  ///< nodes
+    Vec3 offset{0.0};          ///< the node's rest place in the limb's frame
+    bool below_hips = false;
+  };
+
   const Motion& motion_;
   const Model& model_;
   const Humanoid& humanoid_;
@@ -261,9 +257,11 @@ class Retargeter {
   std::vector<Quat> rest_;  ///< [nodes] global
   std::vector<TwistSegment> twists_;
   FootContact feet_;
-  std::vector<Follow> follows_;
+  std::vector<JointFollow> follows_;
   std::vector<Quat> joint_rest_, aligned_;
   std::vector<bool> moved_;
+  std::vector<Stray> strays_;
+  std::vector<Vec3> stray_places_, unsettled_places_;
   Quat to_world_{1, 0, 0, 0};
   Retargeted out_;
 };

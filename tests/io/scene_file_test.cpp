@@ -107,7 +107,7 @@ TEST(SceneFile, ReadsWhatIsLessUsual) {
   const Character& arm = scene.characters.at(0);
   EXPECT_EQ(arm.model, "builtin:arm");
   EXPECT_EQ(std::get<int>(*arm.clip), 2);
-  EXPECT_EQ(std::get<LibraryClip>(*arm.motion).name, "wave");
+  EXPECT_EQ(std::get<LibraryClip>(arm.motion->source).name, "wave");
   EXPECT_EQ(arm.turn.value_at(-0.5), 0);
   EXPECT_EQ(arm.turn.value_at(0), 90);
   EXPECT_TRUE(arm.keys.contains("_joint/with~signs"));
@@ -115,7 +115,7 @@ TEST(SceneFile, ReadsWhatIsLessUsual) {
   const Character& man = scene.characters.at(1);
   EXPECT_EQ(man.model, "/models/man.glb");
   EXPECT_TRUE(std::holds_alternative<NoClip>(*man.clip));
-  EXPECT_EQ(std::get<fs::path>(*man.motion), "/scenes/run.bvh");
+  EXPECT_EQ(std::get<MotionFile>(man.motion->source).path, "/scenes/run.bvh");
   EXPECT_EQ(man.turn, Keyed<double>::constant(-45));
   EXPECT_EQ(scene.library, "/data/motions.db");
   EXPECT_EQ(scene.camera.orbit.value_at(23.5), 180);
@@ -152,7 +152,7 @@ TEST(SceneFile, WritesPathsRelativeToItsFolder) {
   Scene scene;
   scene.characters.resize(1);
   scene.characters[0].model = "models/a.glb";
-  scene.characters[0].motion = fs::path("models/walk");
+  scene.characters[0].motion = MotionUse{.source = MotionFile{"models/walk", ""}};
   const std::string beside = scene_text(scene, "models");
   EXPECT_NE(beside.find(R"("model": "a.glb")"), std::string::npos) << beside;
   EXPECT_NE(beside.find(R"("motion": "./walk")"), std::string::npos) << beside;

@@ -1,0 +1,76 @@
+#include "engine/app/motion_use.h"
+
+#include "engine/core/files.h"
+#include "engine/core/text.h"
+#include "engine/rig/clip_sampling.h"
+#include "engine/rig/motion_file.h"
+
+namespace sinew {
+namespace {
+
+/// A sinking foot that nobody sees is not worth a word: 1 % of a body's hip height is about a centimetre.
+constexpr double told_sinking = 0.01;
+
+std::string clip_hash(const Clip& clip) {
+  Sha256 hash;
+  for (const Channel& channel : clip.channels) {
+    hash.add_all(std::vector<int>{channel.node, static_cast<int>(channel.path)});
+    hash.add_all(channel.times);
+    hash.add_all(channel.values);
+  }
+  return hash.finish();
+}
+
+}  // namespace
+
+bool is_motion_alone(const std::filesystem::path& file, std::span<const unsigned char> bytes) {
+  const auto format = motion_format(file, bytes);
+  if (!format) return false;
+  return *format != MotionFormat::gltf || lower(file.extension().string()) == ".vrma";
+}
+
+Result<Motion> library_motion(const std::filesystem::path& library, const std::string& clip) {
+  return bad_input("no clip \"{}\": motion libraries{} cannot be read yet; name a motion file, such as \"{}.bvh\"",
+                   clip, library.empty() ? "" : fmt::format(" such as {}", library.string()), clip);
+}
+
+Result<StagedMotion> stage_motion(const MotionUse& use, const std::filesystem::path& library, const Model& model,
+                                  const Humanoid& humanoid, std::vector<std::string>& problems) {
+  StagedMotion staged;
+  staged.use = use;
+  const MotionFile* file = std::get_if<MotionFile>(&use.source);
+  staged.file = file != nullptr ? file->path.string() : library.string();
+  auto motion = file != nullptr ? read_motion(file->path, file->clip)
+                                : library_motion(library, std::get<LibraryClip>(use.source).name);
+  if (!motion) return pass_on(std::move(motion));
+  auto retargeted = retarget(*motion, model, humanoid);
+  if (!retargeted) return pass_on(std::move(retargeted));
+  const std::string name = file != nullptr ? staged.file : fmt::format("clip {}", motion->name);
+  for (const std::string& problem : motion->problems) problems.push_back(fmt::format("{}: {}", name, problem));
+  for (const std::string& note : retargeted->notes) problems.push_back(fmt::format("{}: {}", name, note));
+  if (retargeted->deepest_sinking > told_sinking)
+    problems.push_back(fmt::format("{}: a foot sank {:.3f} below the floor at its frame {}; the body is raised there",
+                                   name, retargeted->deepest_sinking, retargeted->deepest_frame));
+  staged.clip = std::move(retargeted->clip);
+  staged.content_hash = clip_hash(staged.clip);
+  return staged;
+}
+
+void play_motion(const StagedMotion& motion, double frame, double fps, Pose& pose) {
+  const double weight = motion.use.weight.value_at(frame);
+  if (weight <= 0.0) return;
+  const double seconds = (frame - motion.use.start) / fps * motion.use.speed;
+  Pose played = pose;
+  sample_clip(motion.clip, seconds, played);
+  if (weight >= 1.0) {
+    pose = std::move(played);
+  } else {
+    blend_pose(played, weight, pose);
+  }
+}
+
+double last_frame(const StagedMotion& motion, double fps) {
+  return motion.use.start + motion.clip.duration * fps / motion.use.speed;
+}
+
+}  // namespace sinew
