@@ -60,18 +60,21 @@ Motion sampled_motion(const CurveClip& clip, const MotionSkeleton& skeleton, con
   return motion;
 }
 
+std::vector<Quat> joint_turns(const Motion& motion, std::size_t joint) {
+  std::vector<Quat> turns;
+  const Quat from_rest = glm::conjugate(motion.skeleton.joints[joint].rest_rotation);
+  for (const MotionFrame& frame : motion.frames) turns.push_back(from_rest * frame.rotations[joint]);
+  return turns;
+}
+
 MotionSamples motion_samples(const Motion& motion) {
   MotionSamples samples;
   for (std::size_t i = 0; i < motion.frames.size(); ++i) {
     samples.times.push_back(static_cast<double>(i) * motion.frame_time);
     for (int axis = 0; axis < 3; ++axis) samples.root[axis].push_back(motion.frames[i].root[axis]);
   }
-  std::vector<Quat> turns(motion.frames.size());
-  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
-    const Quat from_rest = glm::conjugate(motion.skeleton.joints[j].rest_rotation);
-    for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = from_rest * motion.frames[i].rotations[j];
-    samples.joints.push_back(joint_angles(turns));
-  }
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j)
+    samples.joints.push_back(joint_angles(joint_turns(motion, j)));
   return samples;
 }
 

@@ -44,6 +44,9 @@ struct MotionSamples {
 
 MotionSamples motion_samples(const Motion& motion);
 
+/// One joint's turns from its rest rotation, [frames].
+std::vector<Quat> joint_turns(const Motion& motion, std::size_t joint);
+
 /// The distance of frames on a skeleton: how far the joints, bones' ends included, of `b` are from those of `a` at the
 /// worst, the skeleton's lengths.
 double largest_joint_distance(const MotionSkeleton& skeleton, const MotionFrame& a, const MotionFrame& b);

@@ -1,5 +1,5 @@
 #pragma once
-/// A joint angle's samples as a piecewise polynomial: engine/definitions.md 12.
+/// A joint angle's samples as a piecewise polynomial: engine/definitions.md 14.
 
 #include <optional>
 #include <span>

@@ -60,16 +60,22 @@ JointAngles joint_angles(std::span<const Quat> rotations) {
         angles.order = order;
       }
     }
+  angles.degrees = angles_in_order(rotations, angles.order);
+  return angles;
+}
+
+std::vector<Vec3> angles_in_order(std::span<const Quat> rotations, const EulerOrder& order) {
+  std::vector<Vec3> degrees;
   Vec3 before(0.0);
   for (const Quat& rotation : rotations) {
-    const Vec3 principal = angles_of_rotation(rotation, angles.order);
-    const Vec3 a = unwrapped(principal, before), b = unwrapped(equivalent(principal, angles.order), before);
+    const Vec3 principal = angles_of_rotation(rotation, order);
+    const Vec3 a = unwrapped(principal, before), b = unwrapped(equivalent(principal, order), before);
     // The first frame has the plain angles.
-    const bool other = !angles.degrees.empty() && glm::length(b - before) < glm::length(a - before);
-    before = other ? b : a;
-    angles.degrees.push_back(before * radians_to_degrees);
+    const bool other = !degrees.empty() && glm::length(b - before) < glm::length(a - before);
+    before = degrees.empty() ? principal : other ? b : a;
+    degrees.push_back(before * radians_to_degrees);
   }
-  return angles;
+  return degrees;
 }
 
 std::string order_name(const EulerOrder& order) {

@@ -1,6 +1,6 @@
 #pragma once
 /// A joint's rotation as the three angles alpha, beta, gamma about x, y, z that curves are fitted to: Li et al. 2010,
-/// equation 6; engine/definitions.md 13.
+/// equation 6; engine/definitions.md 14.
 
 #include <span>
 #include <string>
@@ -29,6 +29,9 @@ struct JointAngles {
 /// Equation 6's order, unless the middle angle comes within 15 degrees of gimbal lock (90 degrees): then the order of
 /// the six that stays farthest from it. Of the equivalent angles each frame has those nearest to the frame before.
 JointAngles joint_angles(std::span<const Quat> rotations);
+
+/// The same in an order that is given: [frames] alpha, beta, gamma in degrees.
+std::vector<Vec3> angles_in_order(std::span<const Quat> rotations, const EulerOrder& order);
 
 /// "XYZ" and so on: the product's factors from left to right, as BVH's channels have it.
 std::string order_name(const EulerOrder& order);

@@ -1,5 +1,5 @@
 #pragma once
-/// A curve over time in segments, each a polynomial of degree 8 at most: engine/definitions.md 12.
+/// A curve over time in segments, each a polynomial of degree 8 at most: engine/definitions.md 14.
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// A basis in which value and slope are continuous at every cut by construction: the null space of those constraints,
-/// written segment by segment. engine/definitions.md 12.
+/// written segment by segment. engine/definitions.md 14.
 ///
 /// A segment's unknowns are value and slope at its two ends (shared with its neighbours: cubic Hermite functions) and,
 /// from degree 4 on, bubbles whose value and slope vanish at both ends (Shen 1994, *Efficient spectral-Galerkin method
