@@ -87,8 +87,7 @@ Result<SceneOptions> scene_options(const SceneWords& words) {
   if (!(words.strength >= 0.0 && words.strength <= 1.0))
     return failure(ErrorKind::usage, "--strength {}: expected a number from 0 to 1", words.strength);
   options.strength = words.strength;
-  if (!words.library.empty())
-    return failure(ErrorKind::usage, "--library {}: motion libraries do not exist yet", words.library);
+  options.library = words.library;
   return options;
 }
 

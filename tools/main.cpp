@@ -30,10 +30,11 @@ std::optional<std::string> unknown_command(const CLI::App& program, int count, c
 
 /// What to say where a word looks like an option of the command and is none.
 std::optional<std::string> unknown_option(const CLI::App& program, int count, char** words) {
-  const std::vector<CLI::App*> parsed = program.get_subcommands();
-  if (parsed.empty()) return std::nullopt;
+  const CLI::App* command = &program;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  if (command == &program) return std::nullopt;
   std::vector<std::string> all, shown;
-  for (const CLI::Option* option : parsed.front()->get_options())
+  for (const CLI::Option* option : command->get_options())
     for (const std::string& name : option->get_lnames()) {
       all.push_back("--" + name);
       // Those without a group are known only to be refused.
@@ -42,7 +43,7 @@ std::optional<std::string> unknown_option(const CLI::App& program, int count, ch
   for (int i = 2; i < count; ++i) {
     const std::string word = std::string(words[i]).substr(0, std::string_view(words[i]).find('='));
     if (!word.starts_with("--") || std::find(all.begin(), all.end(), word) != all.end()) continue;
-    return fmt::format("{} has no option {}{}", parsed.front()->get_name(), word, did_you_mean(word, shown));
+    return fmt::format("{} has no option {}{}", command->get_name(), word, did_you_mean(word, shown));
   }
   return std::nullopt;
 }
@@ -67,6 +68,7 @@ int run_program(int count, char** words) {
   add_muscles(program, run);
   add_compare(program, run);
   add_figure(program, run);
+  add_motion(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {

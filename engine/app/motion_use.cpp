@@ -2,6 +2,7 @@
 
 #include "engine/core/files.h"
 #include "engine/core/text.h"
+#include "engine/motion/library.h"
 #include "engine/rig/clip_sampling.h"
 #include "engine/rig/motion_file.h"
 
@@ -30,8 +31,12 @@ bool is_motion_alone(const std::filesystem::path& file, std::span<const unsigned
 }
 
 Result<Motion> library_motion(const std::filesystem::path& library, const std::string& clip) {
-  return bad_input("no clip \"{}\": motion libraries{} cannot be read yet; name a motion file, such as \"{}.bvh\"",
-                   clip, library.empty() ? "" : fmt::format(" such as {}", library.string()), clip);
+  const auto opened = MotionLibrary::open(library.empty() ? default_library() : library, false);
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  auto stored = opened->load(clip);
+  if (!stored) return pass_on(std::move(stored));
+  if (!stored->curves) return std::move(stored->motion);
+  return sampled_motion(*stored->curves, stored->motion.skeleton, clip);
 }
 
 Result<StagedMotion> stage_motion(const MotionUse& use, const std::filesystem::path& library, const Model& model,

@@ -1,0 +1,42 @@
+#include "engine/motion/selected_fit.h"
+
+#include <algorithm>
+
+#include "engine/motion/curve_cuts.h"
+#include "engine/motion/sample_smoothing.h"
+#include "engine/motion/tolerant_fit.h"
+
+namespace sinew {
+namespace {
+
+/// A largest error of this share of the standard error adds next to nothing to it.
+constexpr double followed_share = 0.5;
+
+}  // namespace
+
+PiecewisePolynomial fit_selected(std::span<const double> times, std::span<const double> values, int highest_degree,
+                                 double resolution) {
+  const SmoothedSamples smooth = smooth_samples(values, resolution);
+  SmoothFitter fitter(times, smooth.values);
+  return fit_within(fitter, std::max(followed_share * smooth.standard_error(), resolution), highest_degree);
+}
+
+std::vector<std::size_t> cuts_for(std::span<const double> values, std::size_t segments, double resolution) {
+  std::vector<Extremum> extrema = find_extrema(smooth_samples(values, resolution).values);
+  std::stable_sort(extrema.begin(), extrema.end(),
+                   [](const Extremum& a, const Extremum& b) { return a.prominence > b.prominence; });
+  std::vector<std::size_t> cuts{0, values.size() - 1};
+  for (std::size_t i = 0; i < extrema.size() && cuts.size() <= segments; ++i) cuts.push_back(extrema[i].sample);
+  std::sort(cuts.begin(), cuts.end());
+  while (cuts.size() <= segments) {
+    std::size_t widest = 0;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+      if (cuts[i + 1] - cuts[i] > cuts[widest + 1] - cuts[widest]) widest = i;
+    const std::size_t cut = (cuts[widest] + cuts[widest + 1]) / 2;
+    if (cut == cuts[widest]) break;
+    cuts.insert(cuts.begin() + static_cast<std::ptrdiff_t>(widest) + 1, cut);
+  }
+  return cuts;
+}
+
+}  // namespace sinew

@@ -1,0 +1,150 @@
+#include <iostream>
+
+#include <spdlog/spdlog.h>
+
+#include "engine/body/figure.h"
+#include "engine/core/text.h"
+#include "engine/motion/skin_error.h"
+#include "tools/motion_command.h"
+
+namespace sinew::tools {
+namespace {
+
+struct Words : MotionWords {
+  std::string clip, segments = "auto";
+  MotionFitOptions options;
+};
+
+/// The figure whose skin shows a fit's error.
+Result<Model> test_figure() {
+  BodyOptions options;
+  options.vertices = 2500;
+  return build_figure(options);
+}
+
+struct SkinError {
+  double mm = 0.0;
+  bool of_figure = true;  ///< else of the skeleton's own joints
+};
+
+SkinError skin_error(const Model& figure, const Motion& sampled, const Motion& fitted) {
+  const auto error = skin_error_mm(figure, sampled, fitted);
+  if (error) return {*error, true};
+  return {joint_error_mm(sampled, fitted), false};
+}
+
+struct Fitted {
+  MotionFit fit;
+  SkinError skin;
+};
+
+Fitted fitted(const Motion& motion, const Model& figure, const CurveFitOptions& options) {
+  Fitted result{fit_motion(motion, options), {}};
+  result.skin = skin_error(figure, motion, sampled_motion(result.fit.clip, motion.skeleton, motion.name));
+  return result;
+}
+
+/// The degrees follow from the skin: they shrink, in proportion to what the skin was off by, until it holds.
+Result<Fitted> fitted_within(const Motion& motion, const Model& figure, CurveFitOptions options, double skin_mm) {
+  options.tolerance = options.tolerance.value_or(1.0);
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    Fitted result = fitted(motion, figure, options);
+    if (result.skin.mm <= skin_mm) return result;
+    *options.tolerance *= std::clamp(0.9 * skin_mm / result.skin.mm, 0.1, 0.9);
+  }
+  return bad_input("clip \"{}\": no fit keeps its skin within {} mm", motion.name, skin_mm);
+}
+
+nlohmann::ordered_json curves_json(const MotionFit& fit, const MotionSkeleton& skeleton) {
+  nlohmann::ordered_json curves = nlohmann::ordered_json::array();
+  for (const CurveReport& curve : fit.curves)
+    curves.push_back({{"joint", skeleton.joints[curve.joint].name},
+                      {"axis", std::string(1, "xyz"[curve.axis])},
+                      {"order", order_name(fit.clip.joints[curve.joint].order)},
+                      {"samples", fit.clip.frames()},
+                      {"segments", curve.segments},
+                      {"degree", curve.degree},
+                      {"rmse_degrees", curve.rmse_degrees},
+                      {"max_degrees", curve.max_degrees}});
+  return curves;
+}
+
+void print_text(const MotionFit& fit, const MotionSkeleton& skeleton, const SkinError& skin) {
+  std::cout << fmt::format("{:<24} axis order segments degree   rmse    max (degrees)\n", "joint");
+  for (const CurveReport& curve : fit.curves)
+    if (curve.degree > 0)
+      std::cout << fmt::format("{:<24} {:>4} {:>5} {:>8} {:>6} {:>6.3f} {:>6.3f}\n", skeleton.joints[curve.joint].name,
+                               "xyz"[curve.axis], order_name(fit.clip.joints[curve.joint].order), curve.segments,
+                               curve.degree, curve.rmse_degrees, curve.max_degrees);
+  std::cout << fmt::format("{} numbers for {} samples' ({:.1f} %), {} {:.2f} mm at the most, {:.0f} ms\n",
+                           fit.stored_numbers, fit.sampled_numbers,
+                           100.0 * static_cast<double>(fit.stored_numbers) / static_cast<double>(fit.sampled_numbers),
+                           skin.of_figure ? "skin off by" : "joints off by", skin.mm, fit.ms);
+}
+
+Result<void> fit(const Words& words) {
+  apply_verbosity(words.common);
+  MotionFitOptions options = words.options;
+  if (words.segments != "auto") {
+    const auto count = parse_integer(words.segments);
+    if (!count || *count < 1 || *count > 100000)
+      return failure(ErrorKind::usage, "--segments {}: expected auto, or a number from 1 to 100000", words.segments);
+    options.curve.segments = static_cast<int>(*count);
+  }
+  if (auto ok = check_motion_fit_options(options); !ok) return ok;
+  auto library = open_library(words, true);
+  if (!library) return pass_on(std::move(library));
+  const auto clip = library->load(words.clip);
+  if (!clip) return tl::unexpected<Error>(clip.error());
+  const auto figure = test_figure();
+  if (!figure) return tl::unexpected<Error>(figure.error());
+  const Motion& motion = clip->motion;
+  Result<Fitted> result = options.skin_tolerance
+                              ? fitted_within(motion, *figure, options.curve, *options.skin_tolerance)
+                              : Result<Fitted>(fitted(motion, *figure, options.curve));
+  if (!result) return pass_on(std::move(result));
+  const MotionFit& found = result->fit;
+  if (!motion.frames.front().offsets.empty())
+    spdlog::warn("clip \"{}\": joints change their offsets; curves hold them at rest", words.clip);
+  if (found.tolerance > 0.0)
+    for (const CurveReport& curve : found.curves)
+      if (curve.max_degrees > found.tolerance)
+        spdlog::warn("{} {}: {:.3f} degrees off; more segments or degrees would hold {}",
+                     motion.skeleton.joints[curve.joint].name, "xyz"[curve.axis], curve.max_degrees, found.tolerance);
+  if (auto ok = library->begin(); !ok) return ok;
+  if (auto ok = library->set_curves(words.clip, found.clip); !ok) return ok;
+  if (auto ok = library->commit(); !ok) return ok;
+  if (!words.common.json) {
+    print_text(found, motion.skeleton, result->skin);
+    return {};
+  }
+  print_json({{"clip", words.clip},
+              {"curves", curves_json(found, motion.skeleton)},
+              {"stored_numbers", found.stored_numbers},
+              {"sampled_numbers", found.sampled_numbers},
+              {"skin_error_mm", result->skin.mm},
+              {"skin_error_of", result->skin.of_figure ? "figure" : "joints"},
+              {"tolerance", found.tolerance},
+              {"root_error", found.root_error},
+              {"ms", found.ms}});
+  return {};
+}
+
+}  // namespace
+
+void add_motion_fit(CLI::App& motion, Run& run) {
+  auto* command = motion.add_subcommand("fit", "Fits piecewise polynomials to a clip's joint angles, and keeps them");
+  command->footer("Example: sinew motion fit walk --tolerance 0.5");
+  auto words = std::make_shared<Words>();
+  command->add_option("clip", words->clip, "The clip's name")->required();
+  command->add_option("--degree", words->options.curve.degree,
+                      "Of every segment, 3 to 8; with a tolerance, or segments auto, at most (5; with a tolerance 8)");
+  command->add_option("--segments", words->segments, "auto, or so many a curve")->capture_default_str();
+  command->add_option("--tolerance", words->options.curve.tolerance,
+                      "Degrees that a curve may be off; without it noise is smoothed away");
+  command->add_option("--skin-tolerance", words->options.skin_tolerance, "Millimetres that a figure's skin may be off");
+  add_motion_options(*command, *words);
+  command->callback([words, &run] { run = [words] { return fit(*words); }; });
+}
+
+}  // namespace sinew::tools
