@@ -76,7 +76,7 @@ void print_text(const MotionFit& fit, const MotionSkeleton& skeleton, const Skin
       std::cout << fmt::format("{:<24} {:>4} {:>5} {:>8} {:>6} {:>6.3f} {:>6.3f}\n", skeleton.joints[curve.joint].name,
                                "xyz"[curve.axis], order_name(fit.clip.joints[curve.joint].order), curve.segments,
                                curve.degree, curve.rmse_degrees, curve.max_degrees);
-  std::cout << fmt::format("{} numbers for {} samples' ({:.1f} %), {} {:.2f} mm at the most, {:.0f} ms\n",
+  std::cout << fmt::format("{} numbers for {} ({:.1f} %), {} {:.2f} mm at the most, fitted in {:.0f} ms\n",
                            fit.stored_numbers, fit.sampled_numbers,
                            100.0 * static_cast<double>(fit.stored_numbers) / static_cast<double>(fit.sampled_numbers),
                            skin.of_figure ? "skin off by" : "joints off by", skin.mm, fit.ms);
@@ -126,7 +126,8 @@ Result<void> fit(const Words& words) {
               {"skin_error_of", result->skin.of_figure ? "figure" : "joints"},
               {"tolerance", found.tolerance},
               {"root_error", found.root_error},
-              {"ms", found.ms}});
+              {"ms", found.ms},
+              {"pose_us", pose_microseconds(found.clip, motion.skeleton)}});
   return {};
 }
 

@@ -13,7 +13,7 @@ struct Words : MotionWords {
   ImportOptions options;
 };
 
-Result<void> import(const Words& words) {
+Result<void> import_files(const Words& words) {
   apply_verbosity(words.common);
   ImportOptions options = words.options;
   if (auto ok = check_emotion(options.emotion); !ok) return ok;
@@ -53,7 +53,7 @@ void add_motion_import(CLI::App& motion, Run& run) {
   command->add_option("--licence", words->options.licence, "Its terms");
   command->add_flag("--replace", words->options.replace, "Take the place of clips of the same name");
   add_motion_options(*command, *words);
-  command->callback([words, &run] { run = [words] { return import(*words); }; });
+  command->callback([words, &run] { run = [words] { return import_files(*words); }; });
 }
 
 }  // namespace sinew::tools

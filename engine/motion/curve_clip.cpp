@@ -1,6 +1,7 @@
 #include "engine/motion/curve_clip.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace sinew {
@@ -51,6 +52,27 @@ void sample_curves(const CurveClip& clip, const MotionSkeleton& skeleton, double
     for (int axis = 0; axis < 3; ++axis) angles[axis] = joint.angles[axis].value(seconds) * degrees_to_radians;
     frame.rotations[j] = skeleton.joints[j].rest_rotation * rotation_of_angles(angles, joint.order);
   }
+}
+
+double pose_microseconds(const CurveClip& clip, const MotionSkeleton& skeleton) {
+  constexpr int poses = 501;
+  std::vector<Mat4> global(skeleton.joints.size());
+  std::vector<double> times;
+  MotionFrame frame;
+  for (int i = 0; i < poses; ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    sample_curves(clip, skeleton, clip.begin() + clip.duration() * i / (poses - 1.0), frame);
+    for (std::size_t j = 0; j < global.size(); ++j) {
+      const MotionJoint& joint = skeleton.joints[j];
+      Mat4 local = glm::mat4_cast(frame.rotations[j]);
+      local[3] = Vec4(joint.parent < 0 ? frame.root : joint.offset, 1.0);
+      global[j] = joint.parent < 0 ? local : global[joint.parent] * local;
+    }
+    const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - begun;
+    times.push_back(taken.count());
+  }
+  std::nth_element(times.begin(), times.begin() + poses / 2, times.end());
+  return times[poses / 2];
 }
 
 Motion sampled_motion(const CurveClip& clip, const MotionSkeleton& skeleton, const std::string& name) {

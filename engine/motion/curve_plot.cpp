@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cerrno>
 
 #include "engine/core/files.h"
 #include "engine/core/temporary_file.h"
@@ -44,8 +44,8 @@ std::string script_of(const CurvePlot& plot, const std::string& terminal, const 
     y.push_back(curve.value(x.back()));
   }
   append_rows(script, "curve", x, y);
-  script +=
-      fmt::format("set terminal {} size {},{} noenhanced font 'DejaVu Sans,13'\n", terminal, plot.width, plot.height);
+  script += fmt::format("set terminal {} size {},{} noenhanced background '#ffffff' font 'DejaVu Sans,13'\n", terminal,
+                        plot.width, plot.height);
   script += "set output " + quoted(output.string()) + "\n";
   script += "set multiplot\nset lmargin 11\nset rmargin 3\nset grid lc rgb '#dddddd'\nset border lc rgb '#444444'\n";
   // Many cuts are thin lines that leave the curve to be seen.

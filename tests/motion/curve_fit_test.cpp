@@ -141,7 +141,9 @@ TEST(CurveFit, TakesRowsOfAnyLength) {
     for (const auto& o : {options({}), options(5), options(8, 4), options({}, {}, 0.1), options(3, 2, 0.1)}) {
       const CurveFit fit = fit_curve(times, values, o);
       EXPECT_TRUE(fit.curve.validate()) << n;
-      if (o.tolerance && !o.segments) EXPECT_LE(fit.largest_error, 0.1) << n;
+      if (o.tolerance && !o.segments) {
+        EXPECT_LE(fit.largest_error, 0.1) << n;
+      }
     }
   }
 }

@@ -45,7 +45,9 @@ TEST(JointAngles, TakeAnotherOrderNearGimbalLock) {
   for (std::size_t i = 0; i < rotations.size(); ++i) {
     const Quat again = rotation_of_angles(angles.degrees[i] * degrees_to_radians, angles.order);
     EXPECT_NEAR(std::abs(glm::dot(again, rotations[i])), 1.0, 1e-12);
-    if (i > 0) EXPECT_LT(glm::length(angles.degrees[i] - angles.degrees[i - 1]), 20.0);
+    if (i > 0) {
+      EXPECT_LT(glm::length(angles.degrees[i] - angles.degrees[i - 1]), 20.0);
+    }
   }
 }
 
