@@ -73,8 +73,9 @@ Result<void> edit(const Words& words) {
   if (!edits && !words.annotates())
     return failure(ErrorKind::usage, "nothing to do; name an edit such as --scale neck=1.5, or a tag");
   if (edits == words.as.empty())
-    return failure(ErrorKind::usage, edits ? "an edit makes a new clip; name it with --as"
-                                           : "--as names the clip that an edit makes, and there is no edit");
+    return failure(ErrorKind::usage, "{}",
+                   edits ? "an edit makes a new clip; name it with --as"
+                         : "--as names the clip that an edit makes, and there is no edit");
   auto library = open_library(words, true);
   if (!library) return pass_on(std::move(library));
   std::string changed = words.clip;

@@ -72,12 +72,16 @@ class Retargeter {
 
   void find_strays() {
     const JointTree tree(model_, rest_global_);
-    for (const HumanoidBone bone : {left_lower_arm, right_lower_arm, left_hand, right_hand, left_lower_leg,
-                                    right_lower_leg, left_foot, right_foot}) {
-      const int node = humanoid_.find(bone), limb = humanoid_.find(*parent_bone(bone));
+    for (const HumanoidBone bone :
+         {left_upper_leg, right_upper_leg, left_lower_leg, right_lower_leg, left_foot, right_foot, left_upper_arm,
+          right_upper_arm, left_lower_arm, right_lower_arm, left_hand, right_hand}) {
+      const auto above = humanoid_.parent_present(bone);
+      const int node = humanoid_.find(bone), limb = above ? humanoid_.find(*above) : -1;
       if (node < 0 || limb < 0 || tree.is_below(node, limb)) continue;
       const Vec3 offset(glm::inverse(rest_global_[at(limb)]) * rest_global_[at(node)][3]);
-      strays_.push_back({node, limb, offset, tree.is_below(node, humanoid_.find(hips))});
+      bool carried = tree.is_below(node, humanoid_.find(hips));
+      for (const Stray& stray : strays_) carried = carried || tree.is_below(node, stray.node);
+      strays_.push_back({node, limb, offset, carried});
     }
   }
 
@@ -179,7 +183,7 @@ class Retargeter {
     out_.clip = {motion_.name, std::move(channels), motion_.duration()};
   }
 
-  /// Hands and feet that hang from elsewhere than their limb (from a root for IK) stand where the limb ends.
+  /// Parts of limbs that hang from elsewhere (feet from a root for IK) stand where the part before them ends.
   void place_strays(Pose& pose) const {
     for (const Stray& stray : strays_) {
       const std::vector<Mat4> global = global_transforms(model_, order_, pose);
@@ -196,7 +200,7 @@ class Retargeter {
     Channel path{stray.node, ChannelPath::translation, Interpolation::linear, 3, {}, {}};
     for (std::size_t f = 0; f < places.size(); ++f) {
       Vec3 local = stray_places_[f * strays_.size() + index];
-      if (!stray.below_hips) {
+      if (!stray.carried) {
         const int parent = model_.nodes[at(stray.node)].parent;
         const Vec3 moved = places[f] - unsettled_places_[f];
         local += parent < 0 ? moved : Vec3(glm::inverse(rest_global_[at(parent)]) * Vec4(moved, 0.0));
@@ -245,7 +249,7 @@ class Retargeter {
   struct Stray {
     int node = -1, limb = -1;  ///< nodes
     Vec3 offset{0.0};          ///< the node's rest place in the limb's frame
-    bool below_hips = false;
+    bool carried = false;      ///< hangs from the hips, or from what is placed like this
   };
 
   const Motion& motion_;

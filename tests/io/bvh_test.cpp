@@ -121,7 +121,7 @@ TEST(Bvh, ErrorsNamePlaceAndCure) {
   expect(with(small_bvh, "Frame Time: 0.04", "Frame Time: -1"), "a frame time of -1 seconds");
   expect(with(small_bvh, "Frame Time: 0.04", "Frame Time: 1e9"), "expected 1e-05 to 60");
   expect(with(small_bvh, "1 2 4 10 20", "1 2 4 20"), "the row of frame 1 has 8 numbers, expected 9");
-  expect(with(small_bvh, "40 50 60", "40 50 60 70"), "walk.bvh:20:24: the row of frame 1 goes on");
+  expect(with(small_bvh, "40 50 60", "40 50 60 70"), "walk.bvh:20:25: the row of frame 1 goes on");
   expect(small_bvh.substr(0, 60), "the end of the file: it is cut off");
   expect(small_bvh.substr(0, small_bvh.find("MOTION")), "expected MOTION");
   expect(small_bvh.substr(0, small_bvh.find("1 2 3 90")), "expected rows of 9 numbers");
