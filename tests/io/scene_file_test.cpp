@@ -170,6 +170,21 @@ TEST(SceneFile, ComesBackAsItWasWritten) {
   }
 }
 
+TEST(SceneFile, AMotionSaysWhenAndHowItPlays) {
+  const Scene scene = parsed(R"({"sinew": 1, "characters": [
+    {"model": "a.glb", "motion": {"file": "walk", "clip": "Run", "start": 12.5, "speed": 2,
+                                  "weight": {"ease": "smooth", "keys": [[0, 0], [9, 1]]}, "keys": "add"}},
+    {"model": "a.glb", "motion": {"clip": "a/b.c"}}]})");
+  const MotionUse& use = *scene.characters[0].motion;
+  EXPECT_EQ(std::get<MotionFile>(use.source), (MotionFile{"/scenes/walk", "Run"}));
+  EXPECT_EQ(use.start, 12.5);
+  EXPECT_EQ(use.speed, 2.0);
+  EXPECT_EQ(use.weight.value_at(4.5), 0.5);
+  EXPECT_EQ(use.keys, KeyBlend::add);
+  EXPECT_EQ(std::get<LibraryClip>(scene.characters[1].motion->source).name, "a/b.c");
+  EXPECT_EQ(parsed(scene_text(scene, "/scenes")), scene);
+}
+
 TEST(SceneFile, WritesPathsRelativeToItsFolder) {
   Scene scene;
   scene.characters.resize(1);
