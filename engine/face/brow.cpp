@@ -109,9 +109,9 @@ Brow build_brow(const HeadPlan& plan, std::span<const Vec3> skin) {
   const std::uint32_t inner = sections * round, outer = inner + 1;
   for (std::uint32_t k = 0; k < round; ++k) {
     for (std::uint32_t s = 0; s + 1 < sections; ++s)
-      out.surface.quad(at(s, k + 1), at(s, k), at(s + 1, k), at(s + 1, k + 1), HeadMaterial::brow);
-    out.surface.triangles.push_back({{inner, at(0, k), at(0, k + 1)}, HeadMaterial::brow});
-    out.surface.triangles.push_back({{outer, at(sections - 1, k + 1), at(sections - 1, k)}, HeadMaterial::brow});
+      out.surface.quad(at(s, k), at(s, k + 1), at(s + 1, k + 1), at(s + 1, k), HeadMaterial::brow);
+    out.surface.triangles.push_back({{inner, at(0, k + 1), at(0, k)}, HeadMaterial::brow});
+    out.surface.triangles.push_back({{outer, at(sections - 1, k), at(sections - 1, k + 1)}, HeadMaterial::brow});
   }
   return out;
 }

@@ -19,6 +19,8 @@ HeadMaterial material_of(SkinKind kind) {
       return HeadMaterial::mouth;
     case SkinKind::nostril:
       return HeadMaterial::nostril;
+    case SkinKind::lash:
+      return HeadMaterial::lash;
     default:
       return HeadMaterial::skin;
   }
@@ -117,10 +119,10 @@ class HeadBuilder {
     };
     const double tip = plan_.nose_base + m.nose_length;
     for (const Vec3& p : head_.positions) {
-      const double cheek = spot(p, {1.22 * m.eye_spacing, glm::mix(plan_.nose, plan_.eye, 0.30), 1.2}, {0.30, 0.20, 0.6});
+      const double cheek = spot(p, {1.22 * m.eye_spacing, glm::mix(plan_.nose, plan_.eye, 0.18), 1.2}, {0.30, 0.25, 0.6});
       const double nose = spot(p, {0.0, plan_.nose + m.nose_tip_rise, tip}, {0.18, 0.14, 0.20});
       const double ear = spot(p, {plan_.loft.at(90, plan_.eye).x + 0.18, glm::mix(m.ear_bottom, m.ear_top, 0.5), m.ear_depth - 0.05}, {0.12, 0.42, 0.3});
-      head_.blush.push_back(std::min(1.0, 0.75 * cheek + 0.8 * nose + 0.7 * ear));
+      head_.blush.push_back(std::min(1.0, 0.65 * cheek + 0.35 * nose + 0.6 * ear));
     }
   }
 

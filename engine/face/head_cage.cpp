@@ -34,6 +34,11 @@ double HeadPlan::cheek_bone(double x, double y) const {
   return m.cheek_bone * std::exp(-across * across - up * up);
 }
 
+Vec3 HeadPlan::cheek_puff(double x, double y) const {
+  const double across = (x - 1.5 * m.eye_spacing) / 0.46, up = (y - glm::mix(mouth, nose, 0.35)) / 0.42;
+  return m.cheek_puff * std::exp(-across * across - up * up) * Vec3(0.75, 0.0, 0.65);
+}
+
 Vec3 HeadPlan::chin_edge(int column) const {
   const double w = m.chin_width, z = m.chin_depth - chin_underside;
   const std::array<Vec3, 4> edge = {
@@ -71,6 +76,8 @@ HeadCage build_head_cage(const HeadPlan& plan) {
   add_cap(plan, cage);
   add_ear(plan, cage);
   add_neck(plan, cage);
+  puff_cheek(plan, cage);
+  relax_cheek(cage);
   return cage;
 }
 

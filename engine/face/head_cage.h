@@ -36,7 +36,7 @@ struct CagePoint {
 };
 
 /// What a quad of the skin is covered with.
-enum class SkinKind : std::uint8_t { skin, lip, mouth, nostril };
+enum class SkinKind : std::uint8_t { skin, lip, mouth, nostril, lash };
 
 struct CageQuad {
   std::array<std::uint32_t, 4> corners;
@@ -60,6 +60,8 @@ struct HeadPlan {
   double corner;           ///< depth of the mouth's corner
   /// Where the cheek bone stands forward, 0 to `cheek_bone`.
   double cheek_bone(double x, double y) const;
+  /// How far a full cheek stands out beside the mouth.
+  Vec3 cheek_puff(double x, double y) const;
   /// The lower edge of the jaw from beside the chin (0) to its angle (1).
   Vec3 jaw_edge(double t) const;
   /// The chin's lower edge: 0 the middle to 3 beside it.

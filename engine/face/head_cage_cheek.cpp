@@ -46,7 +46,59 @@ void add_chin(const HeadPlan& plan, HeadCage& cage) {
   }
 }
 
+/// Points of the cheek and of the skin about the mouth's corner and jaw.
+bool is_relaxed(const CagePoint& p) {
+  switch (p.part) {
+    case HeadPart::cheek:
+      return p.place < last_row;
+    case HeadPart::eye:
+      return p.ring == 6 && p.place >= 9 && p.place <= 13;
+    case HeadPart::mouth:
+      return p.ring == 6 && p.place >= 5 && p.place <= 8;
+    case HeadPart::chin:
+      return p.ring <= 1 && p.place == 1;
+    case HeadPart::side:
+      return (p.ring == 0 && p.place >= 4 && p.place < side_rows - 1) ||
+             (p.ring == 1 && p.place > ear_last_row && p.place < side_rows - 1);
+    default:
+      return false;
+  }
+}
+
 }  // namespace
+
+void puff_cheek(const HeadPlan& plan, HeadCage& cage) {
+  for (std::size_t v = 0; v < cage.positions.size(); ++v) {
+    const CagePoint& p = cage.names[v];
+    const bool skin = p.part == HeadPart::cheek || (p.part == HeadPart::mouth && p.ring >= 5) ||
+                      (p.part == HeadPart::side && p.ring <= 1) || (p.part == HeadPart::eye && p.ring == 6) ||
+                      (p.part == HeadPart::nose && p.ring == 3) || p.part == HeadPart::chin;
+    if (skin && cage.positions[v].x > 0.0) cage.positions[v] += plan.cheek_puff(cage.positions[v].x, cage.positions[v].y);
+  }
+}
+
+void relax_cheek(HeadCage& cage) {
+  // Taubin's pairs of steps, inwards and a little further outwards, smooth without shrinking (A signal processing
+  // approach to fair surface design, 1995).
+  constexpr int pairs = 4;
+  constexpr double steps[] = {0.45, -0.47};
+  std::vector<std::vector<std::uint32_t>> around(cage.positions.size());
+  for (const CageQuad& quad : cage.quads)
+    for (std::size_t i = 0; i < 4; ++i) {
+      // Every edge inside is met from two quads, once each way.
+      around[quad.corners[i]].push_back(quad.corners[(i + 1) % 4]);
+      around[quad.corners[(i + 1) % 4]].push_back(quad.corners[i]);
+    }
+  for (int round = 0; round < 2 * pairs; ++round) {
+    const std::vector<Vec3> before = cage.positions;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      if (!is_relaxed(cage.names[v])) continue;
+      Vec3 mean(0.0);
+      for (const std::uint32_t u : around[v]) mean += before[u] / double(around[v].size());
+      cage.positions[v] += steps[round % 2] * (mean - before[v]);
+    }
+  }
+}
 
 CagePoint cheek_point(int column, int row) {
   constexpr int rim[columns] = {13, 12, 11, 10};

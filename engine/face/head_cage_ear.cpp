@@ -22,6 +22,7 @@ class EarPlane {
   }
   Vec3 at(double p, double q, double h) const { return origin_ + p * backward_ + q * upward_ + h * outward_; }
   const Vec3& outward() const { return outward_; }
+  const Vec3& backward() const { return backward_; }
 
  private:
   Vec3 origin_, backward_, upward_, outward_;
@@ -38,9 +39,8 @@ OutlinePlace outline(int i, double half_height) {
   if (i == lobe) degrees = 270.0;
   if (i > lobe && i < top) degrees = 305.0 + 110.0 * (i - 9) / 7.0;
   const double c = std::cos(degrees * degrees_to_radians), s = std::sin(degrees * degrees_to_radians);
-  const double half_width = 0.60 * half_height * (s > 0 ? 1.02 : 1.0 - 0.30 * std::pow(-s, 1.3));
-  double p = c * half_width * (c < 0 ? 0.62 : 1.0);
-  if (s < -0.5) p += 0.03 * s;
+  const double half_width = 0.60 * half_height * (s > 0 ? 1.02 : 1.0 - 0.26 * std::pow(-s, 1.3));
+  const double p = c * half_width * (c < 0 ? 0.62 : 1.0);
   return {p + 0.06 * half_height / 0.46, s * half_height, c};
 }
 
@@ -64,10 +64,17 @@ class EarBuilder {
     cage_.put(ear_point(1, i), behind);
     cage_.put(ear_point(2, i), rim);
     cage_.put(ear_point(3, i), mix(0.90 * o.p, 0.925 * o.q, 0.045 + 0.05 * rear, 0.045));
-    cage_.put(ear_point(4, i), mix(0.74 * o.p, 0.79 * o.q, -0.005 + 0.035 * rear, 0.03));
-    const double p = o.p - 0.03;
-    cage_.put(ear_point(5, i), mix(0.58 * p + 0.01, 0.58 * o.q - 0.03 * size, 0.035 * rear, -0.02));
-    cage_.put(ear_point(6, i), mix(0.34 * p - 0.005, 0.34 * o.q - 0.06 * size, -0.075, -0.075));
+    // The furrow inside the rim, the fold before it, the shell; the lobe is full.
+    const double lobe_share = smoothstep01((-o.q / half_height_ - 0.45) / 0.4), p = o.p - 0.03;
+    const double furrow = glm::mix(-0.035 + 0.02 * rear, 0.045, lobe_share);
+    const double fold = glm::mix(0.060 * rear, 0.02, lobe_share);
+    const double tragus = tragus_share(i);
+    const auto inner = [&](double along, double up, double h, double h_head) {
+      return mix(along, up, h, h_head) + tragus * size * (0.085 * plane_.backward() + 0.05 * plane_.outward());
+    };
+    cage_.put(ear_point(4, i), mix(0.74 * o.p, 0.79 * o.q, furrow, 0.03) + 0.4 * tragus * size * 0.06 * plane_.outward());
+    cage_.put(ear_point(5, i), inner(0.58 * p + 0.01, 0.56 * o.q - 0.02 * size, fold, -0.01));
+    cage_.put(ear_point(6, i), mix(0.36 * p - 0.005, 0.32 * o.q - 0.04 * size, -0.11, -0.095));
   }
 
   void add_floor() {
@@ -82,6 +89,11 @@ class EarBuilder {
   }
 
  private:
+  /// The flap before the ear's hole, a little below the middle.
+  static double tragus_share(int i) {
+    constexpr double share[] = {0.0, 0.0, 0.1, 0.55, 1.0, 0.75, 0.2, 0.0};
+    return i < front_places ? share[i] : 0.0;
+  }
   /// The front's upper and lower end run out into the head.
   static double calm(int i) {
     switch (i) {

@@ -108,7 +108,8 @@ void add_eye(const HeadPlan& plan, HeadCage& cage) {
   for (int k = 0; k < eye_places; ++k) add_lid_rings(plan, k, cage);
   for (int ring = 0; ring < 6; ++ring)
     for (int k = 0; k < eye_places; ++k)
-      cage.quad(eye_point(ring, k), eye_point(ring, k + 1), eye_point(ring + 1, k + 1), eye_point(ring + 1, k));
+      cage.quad(eye_point(ring, k), eye_point(ring, k + 1), eye_point(ring + 1, k + 1), eye_point(ring + 1, k),
+                ring == 1 && k > 0 && k < 8 ? SkinKind::lash : SkinKind::skin);
 }
 
 }  // namespace sinew

@@ -37,5 +37,9 @@ void add_sides(const HeadPlan& plan, HeadCage& cage);
 void add_cap(const HeadPlan& plan, HeadCage& cage);
 void add_ear(const HeadPlan& plan, HeadCage& cage);
 void add_neck(const HeadPlan& plan, HeadCage& cage);
+/// Fills the cheek beside the mouth.
+void puff_cheek(const HeadPlan& plan, HeadCage& cage);
+/// Takes the creases out of the cheek between mouth and jaw: their rows come from unlike curves.
+void relax_cheek(HeadCage& cage);
 
 }  // namespace sinew

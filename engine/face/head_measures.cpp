@@ -53,6 +53,7 @@ constexpr HeadMeasureField fields[] = {
     {"jaw_height", &M::jaw_height, 0.25, 0.85},
     {"jaw_depth", &M::jaw_depth, -0.15, 0.40},
     {"cheek_bone", &M::cheek_bone, -0.03, 0.12},
+    {"cheek_puff", &M::cheek_puff, -0.05, 0.25},
     {"ear_bottom", &M::ear_bottom, 0.5, 1.4},
     {"ear_top", &M::ear_top, 1.2, 2.4},
     {"ear_depth", &M::ear_depth, -0.30, 0.15},

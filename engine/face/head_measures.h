@@ -27,7 +27,8 @@ struct HeadMeasures {
   double brow_ridge, brow_thickness, brow_inner_rise, brow_arch;
   double nose_width, nose_length, nose_tip_rise, nasion_depth, bridge_width;
   double mouth_width, upper_lip, lower_lip, lip_depth;
-  double chin_width, chin_depth, chin_boss, jaw_width, jaw_height, jaw_depth, cheek_bone;  ///< jaw: its angle
+  double chin_width, chin_depth, chin_boss, jaw_width, jaw_height, jaw_depth;  ///< jaw: its angle
+  double cheek_bone, cheek_puff;
   double ear_bottom, ear_top, ear_depth, ear_flare;  ///< flare in degrees from the skull
   double neck_width, neck_front, neck_back, neck_rise, neck_length;
   // Widths of the skull as factors, at the heights of skull_width_heights.

@@ -15,6 +15,7 @@ constexpr std::array<Look, head_materials> looks = {{{"skin", {0.70, 0.42, 0.31}
                                                      {"lips", {0.52, 0.17, 0.14}, 0.40},
                                                      {"mouth", {0.13, 0.015, 0.015}, 0.80},
                                                      {"nostrils", {0.16, 0.05, 0.035}, 0.90},
+                                                     {"lashes", {0.035, 0.018, 0.012}, 0.80},
                                                      {"sclera", {0.86, 0.86, 0.83}, 0.20},
                                                      {"limbus", {0.012, 0.030, 0.055}, 0.15},
                                                      {"iris", {0.055, 0.19, 0.34}, 0.15},
@@ -25,6 +26,9 @@ constexpr std::array<Look, head_materials> looks = {{{"skin", {0.70, 0.42, 0.31}
                                                      {"tongue", {0.50, 0.10, 0.10}, 0.50}}};
 /// Factor of the skin's colour where it blushes most.
 constexpr Vec3 blush_colour{1.0, 0.62, 0.58};
+
+/// The brows of an infant.
+constexpr Vec3 downy_brow{0.30, 0.15, 0.08};
 
 /// The vertices of one material, in the order of their first use.
 struct MaterialPart {
@@ -88,7 +92,8 @@ Model head_model(const Head& head, const HeadShape* base, std::span<const HeadSh
     mesh.primitives.push_back(std::move(primitive));
     Material material;
     material.name = looks[m].name;
-    material.base_colour = Vec4(looks[m].colour, 1.0);
+    const bool brow = static_cast<HeadMaterial>(m) == HeadMaterial::brow;
+    material.base_colour = Vec4(brow ? glm::mix(looks[m].colour, downy_brow, head.measures.skull_infant) : looks[m].colour, 1.0);
     material.roughness = looks[m].roughness;
     model.materials.push_back(material);
   }

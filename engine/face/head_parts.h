@@ -17,6 +17,7 @@ enum class HeadMaterial : std::uint8_t {
   lip,
   mouth,
   nostril,
+  lash,
   sclera,
   limbus,
   iris,
@@ -26,7 +27,7 @@ enum class HeadMaterial : std::uint8_t {
   gum,
   tongue
 };
-constexpr std::size_t head_materials = 12;
+constexpr std::size_t head_materials = 13;
 
 struct HeadTriangle {
   std::array<std::uint32_t, 3> corners;  ///< counter-clockwise seen from outside
