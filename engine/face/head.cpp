@@ -148,6 +148,14 @@ class HeadBuilder {
                        {"earBottom", vertex(ear_point(2, 8))}};
   }
 
+  void set_lip_line() {
+    for (int j = 0; j < 5; ++j) {
+      const std::uint32_t upper = topology_.vertex_of(mouth_point(2, j)), lower = topology_.vertex_of(mouth_point(2, 10 - j));
+      head_.lip_line.push_back({upper, lower});
+      if (j > 0) head_.lip_line.push_back({topology_.mirror()[upper], topology_.mirror()[lower]});
+    }
+  }
+
  private:
   template <class FaceOf>
   void add(const HeadSurface& part, const FaceOf& face_of) {
@@ -205,6 +213,7 @@ Result<Head> HeadMaker::head(const HeadMeasures& measures) const {
   builder.add_inside();
   builder.set_blush();
   builder.set_landmarks();
+  builder.set_lip_line();
   out.normals = head_normals(out, out.positions);
   for (std::uint32_t v = 0; v < out.normals.size(); ++v) {
     const Vec3 n = out.normals[v];

@@ -26,6 +26,9 @@ struct Head {
   FaceRig face;
   std::map<std::string, std::uint32_t> landmarks;  ///< crown, hairLine, brow ...: vertices
 
+  /// Vertices of upper and lower lip that lie on each other when the mouth is shut, from the middle to both corners.
+  std::vector<std::array<std::uint32_t, 2>> lip_line;
+
   double metres() const { return measures.height / head_units; }  ///< a drawing unit's length
 };
 

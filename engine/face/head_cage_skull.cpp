@@ -108,7 +108,10 @@ void add_sides(const HeadPlan& plan, HeadCage& cage) {
   for (int row = 0; row < side_rows; ++row) {
     const auto ear = ear_columns(plan, row, heights);
     cage.put(side_point(0, row), temple(plan, cage.at(side_front(row)), ear[0], row));
-    for (int i = 0; i < 3; ++i) cage.put(side_point(1 + i, row), ear[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 3; ++i) {
+      const bool in_hole = i == 1 && row > ear_first_row && row < ear_last_row;
+      if (!in_hole) cage.put(side_point(1 + i, row), ear[static_cast<std::size_t>(i)]);
+    }
     for (int i = 0; i < 4; ++i) {
       Vec3 p = plan.loft.at(theta[i], std::max(glm::mix(heights[row], back[row], own[i]), 0.2));
       if (i == 3) p.x = 0.0;

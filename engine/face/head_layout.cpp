@@ -1,5 +1,6 @@
 #include "engine/face/head_layout.h"
 
+#include <cassert>
 #include <map>
 #include <set>
 
@@ -61,6 +62,7 @@ std::vector<Vec2> skin_layout(const HeadTopology& topology) {
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  assert(solver.info() == Eigen::Success);
   const Eigen::VectorXd v_of = solver.solve(right.col(1));
   // u is 0 on the mid line: those points are fixed as well.
   Eigen::SparseMatrix<double> across = matrix;
@@ -72,6 +74,7 @@ std::vector<Vec2> skin_layout(const HeadTopology& topology) {
       if (row_fixed) right_u[it.row()] = 0.0;
     }
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_u(across);
+  assert(solver_u.info() == Eigen::Success);
   const Eigen::VectorXd u_of = solver_u.solve(right_u);
 
   CageValues u(around.size()), v(around.size());

@@ -30,7 +30,7 @@ struct Arch {
 HeadSurface build_teeth(const HeadPlan& plan, bool upper) {
   const double scale = plan.mouth_scale, sign = upper ? 1.0 : -1.0;
   const double height = (upper ? 0.19 : 0.17) * scale, edge = plan.mouth + (upper ? 0.005 : -0.025);
-  const Arch arch{0.96 * plan.m.mouth_width, 0.75 * scale, plan.lip_line - 0.068};
+  const Arch arch{0.86 * plan.m.mouth_width, 0.75 * scale, plan.lip_line - 0.068};
   HeadSurface out;
   constexpr int steps = teeth * steps_a_tooth;
   for (int i = 0; i <= steps; ++i) {
