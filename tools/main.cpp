@@ -69,6 +69,7 @@ int run_program(int count, char** words) {
   add_compare(program, run);
   add_figure(program, run);
   add_motion(program, run);
+  add_head(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {

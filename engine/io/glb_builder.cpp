@@ -90,17 +90,54 @@ int GlbBuilder::add_accessor(int view, int component_type, std::size_t count, Ac
   return static_cast<int>(accessors_.size()) - 1;
 }
 
-int GlbBuilder::add_floats(const std::string& place, std::span<const float> values, AccessorShape shape,
-                           ViewTarget target, AccessorBounds bounds) {
-  const std::size_t width = shape_name(shape).width;
-  assert(!values.empty() && values.size() % width == 0);
+void GlbBuilder::check_finite(const std::string& place, std::span<const float> values, std::size_t width) {
   const auto bad = std::find_if_not(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
   if (bad != values.end())
     fail(fmt::format("{}: number {} of element {} is not finite as a 32-bit float; glTF holds finite numbers only",
                      place, (bad - values.begin()) % width, (bad - values.begin()) / width));
+}
+
+int GlbBuilder::add_floats(const std::string& place, std::span<const float> values, AccessorShape shape,
+                           ViewTarget target, AccessorBounds bounds) {
+  const std::size_t width = shape_name(shape).width;
+  assert(!values.empty() && values.size() % width == 0);
+  check_finite(place, values, width);
   const int accessor = add_accessor(add_view(as_bytes(values), target), type_float, values.size() / width, shape);
   if (bounds == AccessorBounds::written) write_bounds(values, width, accessors_.back());
   return accessor;
+}
+
+int GlbBuilder::add_sparse_floats(const std::string& place, std::span<const float> values, AccessorShape shape,
+                                  AccessorBounds bounds) {
+  const std::size_t width = shape_name(shape).width, count = values.size() / width;
+  assert(!values.empty() && values.size() % width == 0);
+  std::vector<std::uint32_t> indices;
+  std::vector<float> kept;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::span<const float> element = values.subspan(i * width, width);
+    if (std::all_of(element.begin(), element.end(), [](float v) { return v == 0.0f; })) continue;
+    indices.push_back(static_cast<std::uint32_t>(i));
+    kept.insert(kept.end(), element.begin(), element.end());
+  }
+  if (indices.size() * (width + 1) >= count * width)
+    return add_floats(place, values, shape, ViewTarget::vertices, bounds);
+  check_finite(place, values, width);
+  if (indices.empty()) {
+    // A sparse accessor has at least one element.
+    indices.push_back(0);
+    kept.assign(width, 0.0f);
+  }
+  const int index_view = add_view(as_bytes(std::span<const std::uint32_t>(indices)), ViewTarget::none);
+  const int value_view = add_view(as_bytes(std::span<const float>(kept)), ViewTarget::none);
+  accessors_.push_back({{"componentType", type_float},
+                        {"count", count},
+                        {"type", shape_name(shape).name},
+                        {"sparse",
+                         {{"count", indices.size()},
+                          {"indices", {{"bufferView", index_view}, {"componentType", type_u32}}},
+                          {"values", {{"bufferView", value_view}}}}}});
+  if (bounds == AccessorBounds::written) write_bounds(values, width, accessors_.back());
+  return static_cast<int>(accessors_.size()) - 1;
 }
 
 int GlbBuilder::add_unsigned(std::span<const std::uint32_t> values, AccessorShape shape, ViewTarget target) {

@@ -39,6 +39,11 @@ class GlbBuilder {
   int add_floats(const std::string& place, std::span<const float> values, AccessorShape shape, ViewTarget target,
                  AccessorBounds bounds = AccessorBounds::omitted);
 
+  /// The same as vertex data of which most elements are 0: only the others are stored (glTF 2.0, 3.6.2.3) where that is
+  /// smaller.
+  int add_sparse_floats(const std::string& place, std::span<const float> values, AccessorShape shape,
+                        AccessorBounds bounds = AccessorBounds::omitted);
+
   /// Appends an accessor over unsigned integers in the narrowest of the given types that holds them all and gives its
   /// index. Triangle indices (ViewTarget::indices) are 16 or 32 bits wide; the largest number of a type is never used,
   /// for it would restart the primitive. Other numbers are 8 or 16 bits wide.
@@ -56,6 +61,7 @@ class GlbBuilder {
 
  private:
   int add_view(std::span<const unsigned char> bytes, ViewTarget target);
+  void check_finite(const std::string& place, std::span<const float> values, std::size_t width);
   int add_accessor(int view, int component_type, std::size_t count, AccessorShape shape);
 
   Bytes binary_;

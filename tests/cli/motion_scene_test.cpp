@@ -41,7 +41,7 @@ class MotionScene : public ProgramTest {
   void scene(const std::string& name, const std::string& rest) const {
     write(name, R"({"sinew": 1, "characters": [{"model": "builtin:figure", )" + rest + "}]}");
   }
-  std::string exported(const std::string& scene, const std::string& frame) const {
+  Bytes exported(const std::string& scene, const std::string& frame) const {
     const ProgramResult result = run({"export", scene, "--by", "cpu", "--frame", frame, "-o", "x.ply"});
     EXPECT_EQ(result.exit_code, 0) << result;
     return read("x.ply");

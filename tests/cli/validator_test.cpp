@@ -107,6 +107,21 @@ TEST_F(Validator, HasNothingToSayAboutRealCharacters) {
   }
 }
 
+TEST_F(Validator, HasNothingToSayAboutHeads) {
+  VALIDATOR_OR_SKIP();
+  std::vector<std::string> files;
+  for (const Arguments& words : {Arguments{"--level", "2"}, Arguments{"--level", "0", "--age", "infant"},
+                                 Arguments{"--level", "1", "--expression", "laugh"}}) {
+    files.push_back(path("head" + std::to_string(files.size()) + ".glb"));
+    Arguments arguments{"head", "-o", files.back()};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const ProgramResult result = run(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result;
+  }
+  const Verdict verdict = validate(files);
+  EXPECT_EQ(verdict.exit_code, 0) << verdict.said;
+}
+
 TEST_F(Validator, SpeaksWhereSomethingIsWrong) {
   VALIDATOR_OR_SKIP();
   // Were the script deaf, the tests above could not fail.

@@ -1,0 +1,27 @@
+#pragma once
+/// A head as a model: one mesh, a primitive a material, in metres.
+
+#include <span>
+#include <string>
+
+#include "engine/face/head.h"
+#include "engine/model/model.h"
+
+namespace sinew {
+
+/// A shape that the mesh can take on: positions in drawing units and normals.
+struct HeadShape {
+  std::string name;
+  std::vector<Vec3> positions;  ///< [vertices of the head]
+  std::vector<Vec3> normals;
+};
+
+/// The head in the shape `base` (its own positions and normals if null), with a morph target a shape: what is added to
+/// the base. A vertex stands once in each primitive that uses it.
+Model head_model(const Head& head, const HeadShape* base, std::span<const HeadShape> shapes);
+
+/// Where each vertex of the head came to stand: [vertices] its number in the first primitive that has it, vertices of
+/// the primitives before counted.
+std::vector<std::uint32_t> model_vertices(const Head& head);
+
+}  // namespace sinew

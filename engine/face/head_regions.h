@@ -1,0 +1,26 @@
+#pragma once
+/// The regions of a head's skin: engine/face/face_regions.json carried to every vertex.
+
+#include "engine/face/head_skin.h"
+#include "engine/model/face.h"
+
+namespace sinew {
+
+/// The face of the skin alone, without normals' deltas. `skin`: the rest positions, drawing units.
+FaceRig skin_face(const HeadPlan& plan, const HeadTopology& topology, const HeadCage& cage,
+                  const std::vector<Vec3>& skin);
+
+/// Nothing of the lids may lie inside the eyeball, at rest either: moves such vertices out.
+void push_out_of_eyes(const FaceRig& face, std::vector<Vec3>& skin);
+
+/// A face with the vertices of another behind its own. `other` has the same signals.
+void append_vertex(const FaceVertex& vertex, const std::vector<FaceDelta>& deltas, FaceRig& face);
+
+/// The mean of vertices, by weights: for what sits on the skin.
+struct FaceBlend {
+  FaceVertex vertex;
+  std::vector<FaceDelta> deltas;
+};
+FaceBlend blend_vertices(const FaceRig& face, std::span<const std::uint32_t> vertices, std::span<const double> weights);
+
+}  // namespace sinew
