@@ -135,7 +135,7 @@ struct FrameUniforms {
   vec4 key;          // directions towards the lights in the world, unit length; unused
   vec4 fill;
   vec4 rim;
-  vec4 depth_range;  // nearest, farthest distance that the depth shading spreads over; largest bulge height; unused
+  vec4 depth_range;  // nearest, farthest distance of the scene, which the depth shading spreads over; largest bulge height; unused
   vec4 floor_centre;  // x, y, z; distance at which shadows have faded
   vec4 floor_size;    // half its length along x, along z; unused
   vec4 shadow;       // world length of a texel of the shadow map; reach of the contact shadow as a share of its map; 1 where the key light throws shadows

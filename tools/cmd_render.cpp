@@ -13,7 +13,7 @@ struct Words {
   SceneWords scene;
   LookWords look;
   std::string output, shard, overlay, compare, compare_as, zoom, plot, sheet;
-  int turntable = 0;
+  std::optional<int> turntable;
   bool resume = false;
 };
 
@@ -62,11 +62,10 @@ Result<FigureOptions> figure_options(const Words& words) {
     if (!grid) return pass_on(std::move(grid));
     figure.sheet = *grid;
   }
-  if (words.turntable < 0 || words.turntable > 100'000)
-    return failure(ErrorKind::usage, "--turntable {}: expected 0 to 100,000 pictures", words.turntable);
-  if (words.turntable > 0 && figure.sheet)
-    return failure(ErrorKind::usage, "--turntable and --sheet: give one of them");
-  figure.turntable = words.turntable;
+  if (words.turntable && (*words.turntable < 1 || *words.turntable > 100'000))
+    return failure(ErrorKind::usage, "--turntable {}: expected 1 to 100,000 pictures", *words.turntable);
+  if (words.turntable && figure.sheet) return failure(ErrorKind::usage, "--turntable and --sheet: give one of them");
+  figure.turntable = words.turntable.value_or(0);
   if (!words.compare.empty()) figure.compare = words.compare;
   if (!words.compare_as.empty()) {
     auto place = parse_comparison_place(words.compare_as);

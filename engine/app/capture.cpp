@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <functional>
 
+#include <spdlog/spdlog.h>
+
 #include "engine/app/recipe.h"
 #include "engine/core/files.h"
 #include "engine/core/frame_range.h"
@@ -292,6 +294,9 @@ Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureO
   auto maker = FigureMaker::create(device, stage, options.scene, options.look, figure, outcome.report.problems);
   if (!maker) return pass_on(std::move(maker));
   const std::vector<int> numbers = shard_of(maker->numbers(frames), options.shard);
+  if (numbers.empty())
+    spdlog::info("shard {}/{} has no frame: there are only {}", options.shard.index, options.shard.count,
+                 maker->numbers(frames).size());
   const Draw draw = [&](int number) { return maker->picture(number, frames); };
   return film ? capture_film(draw, stage, options, numbers, outcome)
               : capture_pictures(draw, maker->recipe(frames), stage, options, numbers, outcome);

@@ -34,6 +34,19 @@ SkeletonOverlay skeleton_overlay(const StagedCharacter& character, std::vector<M
   return overlay;
 }
 
+/// The box of the skin that follows a joint at the end of a chain, such as the head, in the rest pose; empty where the
+/// chain goes on, since then the segments beside the joint say how much belongs to it.
+Bounds skin_at_the_end(const StagedCharacter& character, int node) {
+  for (const int child : character.model->nodes[node].children)
+    if (std::ranges::any_of(character.model->skins,
+                            [&](const Skin& skin) { return std::ranges::count(skin.joints, child) > 0; }))
+      return {};
+  Bounds box;
+  for (std::size_t v = 0; v < character.rest.positions.size(); ++v)
+    if (character.mesh.bone(v) == node) box.add(character.rest.positions[v]);
+  return box;
+}
+
 }  // namespace
 
 PictureSize inset_size(const PictureSize& whole) {
@@ -54,6 +67,10 @@ Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name) {
     if (!node) {
       unknown = node.error();
       continue;
+    }
+    if (const Bounds skin = skin_at_the_end(character, *node); !skin.empty()) {
+      const Vec4 place = glm::inverse(character.rest.global[*node]) * Vec4(skin.centre(), 1.0);
+      return ZoomTarget{i, *node, place, 0.6 * skin.diagonal()};
     }
     const Vec3 here(character.rest.global[*node][3]);
     double segment = 0.0;

@@ -1,6 +1,6 @@
 #pragma once
 /// A face moved by its regions: held at their limits, resolved into signals, carried out on the vertices.
-/// engine/definitions.md 12; Yen 1990, 4.2 and 5.3.
+/// engine/definitions.md 15; Yen 1990, 4.2 and 5.3.
 
 #include <span>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// Expressions: named moves of regions, mixed and held. engine/definitions.md 12; Yen 1990, 4.2.1; VRM 1.0.
+/// Expressions: named moves of regions, mixed and held. engine/definitions.md 15; Yen 1990, 4.2.1; VRM 1.0.
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// A head from drawing rules: skin, eyes, brows, teeth and tongue, with the regions that move them.
-/// engine/definitions.md 12; Loomis 1956; Yen 1990.
+/// engine/definitions.md 15; Loomis 1956; Yen 1990.
 
 #include <map>
 #include <memory>

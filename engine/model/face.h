@@ -1,5 +1,5 @@
 #pragma once
-/// A head's regions as data: what moves which vertices how far. engine/definitions.md 12.
+/// A head's regions as data: what moves which vertices how far. engine/definitions.md 15.
 ///
 /// Laid out for a compute pass: a vertex has one FaceVertex and a short run of FaceDeltas, as it has morph deltas;
 /// everything else is a handful of numbers a head and a frame.

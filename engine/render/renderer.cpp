@@ -19,6 +19,17 @@ const Vec4f wire_ink(0.07f, 0.09f, 0.14f, 0.80f), hidden_wire_ink(0.07f, 0.09f, 
 
 Vec4f word(const Vec3& v, double w = 0.0) { return Vec4f(Vec4(v, w)); }
 
+/// The nearest and the farthest distance along the camera's axis of a box's corners.
+Vec2 depth_span(const Viewpoint& camera, const Bounds& box) {
+  if (box.empty()) return {camera.near_plane, camera.far_plane};
+  Vec2 span(std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest());
+  for (int i = 0; i < 8; ++i) {
+    const double depth = glm::dot(camera.eye - box.corner(i), camera.back);
+    span = {std::min(span.x, depth), std::max(span.y, depth)};
+  }
+  return {span.x, std::max(span.y, span.x + 1e-9)};
+}
+
 layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, const ShadowMaps& maps) {
   layout::FrameUniforms u{};
   const Viewpoint& camera = shot.viewpoint;
@@ -33,7 +44,8 @@ layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, con
   u.key = word(studio.key);
   u.fill = word(studio.fill);
   u.rim = word(studio.rim);
-  u.depth_range = word({camera.near_plane, camera.far_plane, shot.largest_bulge});
+  const Vec2 depths = depth_span(camera, shot.scene);
+  u.depth_range = word({depths.x, depths.y, shot.largest_bulge});
   u.floor_centre = word(studio.floor_centre, studio.fading_distance);
   u.floor_size = word({studio.floor_half_size.x, studio.floor_half_size.y, 0.0});
   u.shadow = word({studio.shadow_width / maps.light.side, studio.contact_reach, shot.shadows ? 1.0 : 0.0});
@@ -54,6 +66,7 @@ bool has_materials(Shading shading) { return shading == Shading::lit || shading 
 /// Whether a part of this material is drawn in a pass.
 bool takes_part(DrawPass pass, uint32_t alpha) {
   const bool blended = alpha == layout::alpha_blend;
+  if (pass == DrawPass::light || pass == DrawPass::below) return true;
   return pass == DrawPass::peel || pass == DrawPass::layer || pass == DrawPass::behind ? blended : !blended;
 }
 
@@ -194,6 +207,8 @@ void Renderer::Impl::record_parts(const vk::raii::CommandBuffer& commands, DrawP
       const SurfaceMaterial& material = surface.material(part);
       if (!takes_part(pass, material.alpha)) continue;
       SurfaceLook look{pass, 0, material.maps, material.alpha, material.unlit, false, material.rich};
+      // What blends throws a shadow where it is more there than not.
+      if (depth_only && material.alpha == layout::alpha_blend) look.alpha = layout::alpha_mask;
       if (!depth_only) {
         look.shading = static_cast<uint32_t>(shot.shading);
         look.shadows = shot.shadows && has_materials(shot.shading);

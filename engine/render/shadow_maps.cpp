@@ -3,7 +3,8 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t light_side = 1024, contact_side = 128;
+// The shade is blurred so much that fewer points carry it.
+constexpr uint32_t light_side = 1024, contact_side = 128, shade_side = 80;
 
 }  // namespace
 
@@ -62,7 +63,7 @@ ShadowMaps ShadowMaps::create(VulkanDevice& vulkan) {
   ShadowMaps maps;
   maps.light = DepthMap::create(vulkan, light_side);
   maps.contact = DepthMap::create(vulkan, contact_side);
-  maps.shade = ShadeMap::create(vulkan, contact_side);
+  maps.shade = ShadeMap::create(vulkan, shade_side);
   // Beyond the maps nothing stands.
   constexpr auto border = vk::SamplerAddressMode::eClampToBorder;
   vk::SamplerCreateInfo info({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eNearest, border,

@@ -1,5 +1,5 @@
 #pragma once
-/// A motion put onto another body (engine/definitions.md 12).
+/// A motion put onto another body (engine/definitions.md 13).
 
 #include <span>
 #include <string>

@@ -104,6 +104,7 @@ TEST_F(Figure, WordsThatAreNoneAreRefusedBeforeAFileIsOpened) {
                                                        {"--sheet", "4"},
                                                        {"--sheet", "0x3"},
                                                        {"--turntable", "-1"},
+                                                       {"--turntable", "0"},
                                                        {"--turntable", "3"},
                                                        {"--shard", "3/3"},
                                                        {"--sheet", "2x2", "--turntable", "3"}}) {

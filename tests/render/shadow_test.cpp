@@ -44,6 +44,19 @@ TEST_F(Shadows, HolesInAMaskLetLightThrough) {
   EXPECT_EQ(at(cut, 35, 37), at(drawn(wall.model), 35, 37));
 }
 
+TEST_F(Shadows, WhatBlendsThrowsOneWhereItIsMoreThereThanNot) {
+  Model opaque = wall_and_square(0.5), blended = opaque, faint = opaque;
+  blended.materials[1].alpha_mode = faint.materials[1].alpha_mode = AlphaMode::blend;
+  faint.materials[1].base_colour.a = 0.2;
+  Squares wall;
+  wall.add({0, 0, 0}, 1.3).unlit = false;
+  const Picture solid = drawn(opaque, {.shadows = true}), bare = drawn(wall.model);
+  ASSERT_NE(at(solid, 35, 37), at(bare, 35, 37));
+  EXPECT_EQ(at(drawn(blended, {.shadows = true}), 35, 37), at(solid, 35, 37));
+  const Picture thin = drawn(faint, {.shadows = true}), thin_unshaded = drawn(faint);
+  EXPECT_EQ(at(thin, 35, 37), at(thin_unshaded, 35, 37));
+}
+
 TEST_F(Shadows, TheFloorShowsThemAndNothingElse) {
   Squares squares;
   // Seen from above a sheet that stands upright hides much of its shadow: this one lies.
