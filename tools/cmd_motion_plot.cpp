@@ -1,3 +1,5 @@
+#include <array>
+
 #include <spdlog/spdlog.h>
 
 #include "engine/core/text.h"

@@ -1,5 +1,7 @@
 #include "tools/motion_edit_words.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "engine/core/text.h"

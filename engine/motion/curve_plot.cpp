@@ -55,7 +55,7 @@ std::string script_of(const CurvePlot& plot, const std::string& terminal, const 
         fmt::format("set arrow from {0:.9g}, graph 0 to {0:.9g}, graph 1 nohead back {1}\n", curve.cuts[i], cut_style);
   script += fmt::format("set xrange [{:.9g}:{:.9g}]\n", curve.begin(), curve.end());
   script +=
-      "set size 1,0.68\nset origin 0,0.32\nset bmargin 0.6\nset tmargin 4\nset format x ''\nset offsets 0,0,graph "
+      "set size 1,0.66\nset origin 0,0.34\nset bmargin 1\nset tmargin 4\nset format x ''\nset offsets 0,0,graph "
       "0.04,graph 0.04\n";
   script += "set title " + quoted(plot.title) + "\nset ylabel " + quoted(plot.quantity) + "\n";
   script += "set key outside top right horizontal samplen 2\n";

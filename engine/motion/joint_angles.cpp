@@ -35,6 +35,13 @@ Vec3 equivalent(Vec3 angles, const EulerOrder& order) {
   return angles;
 }
 
+/// How far the angles go altogether: near gimbal lock two of them whirl.
+double travelled(const std::vector<Vec3>& degrees) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < degrees.size(); ++i) sum += glm::length(degrees[i] - degrees[i - 1]);
+  return sum;
+}
+
 }  // namespace
 
 Quat rotation_of_angles(const Vec3& angles, const EulerOrder& order) {
@@ -51,15 +58,17 @@ Vec3 angles_of_rotation(const Quat& rotation, const EulerOrder& order) {
 
 JointAngles joint_angles(std::span<const Quat> rotations) {
   JointAngles angles;
-  double nearest = nearest_to_lock(rotations, angles.order);
-  if (nearest > (90.0 - lock_margin) * degrees_to_radians)
+  const double nearest = nearest_to_lock(rotations, angles.order);
+  if (nearest > (90.0 - lock_margin) * degrees_to_radians) {
+    double least = INFINITY;
     for (const EulerOrder& order : all_orders) {
-      const double trial = nearest_to_lock(rotations, order);
-      if (trial < nearest) {
-        nearest = trial;
+      const double trial = travelled(angles_in_order(rotations, order));
+      if (trial < least) {
+        least = trial;
         angles.order = order;
       }
     }
+  }
   angles.degrees = angles_in_order(rotations, angles.order);
   return angles;
 }

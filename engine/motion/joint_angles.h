@@ -27,7 +27,7 @@ struct JointAngles {
 };
 
 /// Equation 6's order, unless the middle angle comes within 15 degrees of gimbal lock (90 degrees): then the order of
-/// the six that stays farthest from it. Of the equivalent angles each frame has those nearest to the frame before.
+/// the six in which the angles travel least. Of the equivalent angles each frame has those nearest to the frame before.
 JointAngles joint_angles(std::span<const Quat> rotations);
 
 /// The same in an order that is given: [frames] alpha, beta, gamma in degrees.

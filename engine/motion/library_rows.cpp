@@ -1,9 +1,13 @@
 #include "engine/motion/library_rows.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include <nlohmann/json.hpp>
+
+#include "engine/motion/smooth_basis.h"
 
 namespace sinew {
 namespace {
@@ -123,9 +127,25 @@ Bytes cut_bytes(const PiecewisePolynomial& curve) {
 
 Bytes coefficient_bytes(const PiecewisePolynomial& curve) {
   Bytes bytes;
-  for (const auto& segment : curve.coefficients) {
-    append(bytes, static_cast<double>(segment.size()));
-    for (const double c : segment) append(bytes, c);
+  if (curve.segments() == 1) {
+    for (const double c : curve.coefficients[0]) append(bytes, c);
+    return bytes;
+  }
+  for (std::size_t i = 0; i < curve.segments(); ++i) {
+    const auto& c = curve.coefficients[i];
+    const auto n = static_cast<Eigen::Index>(std::max<std::size_t>(c.size(), end_unknowns));
+    SegmentVector legendre = SegmentVector::Zero(n);
+    for (std::size_t k = 0; k < c.size(); ++k) legendre[static_cast<Eigen::Index>(k)] = c[k];
+    const double length = curve.cuts[i + 1] - curve.cuts[i];
+    const SegmentVector unknowns = solve_square(smooth_basis(static_cast<int>(n) - 1, length, 1.0), legendre);
+    append(bytes, static_cast<double>(n));
+    append(bytes, unknowns[0]);
+    append(bytes, unknowns[1]);
+    for (Eigen::Index k = end_unknowns; k < n; ++k) append(bytes, unknowns[k]);
+    if (i + 1 == curve.segments()) {
+      append(bytes, unknowns[2]);
+      append(bytes, unknowns[3]);
+    }
   }
   return bytes;
 }
@@ -135,14 +155,32 @@ Result<PiecewisePolynomial> parse_curve(std::span<const unsigned char> cuts,
   PiecewisePolynomial curve;
   curve.cuts = numbers_of(cuts);
   const std::vector<double> numbers = numbers_of(coefficients);
-  for (std::size_t at = 0; at < numbers.size();) {
-    const double count = numbers[at++];
-    if (!(count >= 1.0 && count <= max_coefficients && count <= static_cast<double>(numbers.size() - at)))
-      return bad_input("a curve's segment has {} coefficients; expected 1 to {}", count, max_coefficients);
-    const auto n = static_cast<std::ptrdiff_t>(count);
-    const auto from = numbers.begin() + static_cast<std::ptrdiff_t>(at);
-    curve.coefficients.emplace_back(from, from + n);
-    at += static_cast<std::size_t>(n);
+  if (curve.cuts.size() == 2) {
+    curve.coefficients.push_back(numbers);
+  } else {
+    std::vector<SegmentVector> segments;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i + 1 < curve.cuts.size(); ++i) {
+      const double count = at < numbers.size() ? numbers[at++] : 0.0;
+      const double left = static_cast<double>(numbers.size() - at);
+      if (!(count >= end_unknowns && count <= max_coefficients && count <= left) || std::floor(count) != count)
+        return bad_input("a curve's segment has {} coefficients; expected {} to {}", count, +end_unknowns,
+                         +max_coefficients);
+      SegmentVector unknowns = SegmentVector::Zero(static_cast<Eigen::Index>(count));
+      unknowns[0] = numbers[at++];
+      unknowns[1] = numbers[at++];
+      for (Eigen::Index k = end_unknowns; k < unknowns.size(); ++k) unknowns[k] = numbers[at++];
+      segments.push_back(unknowns);
+    }
+    if (segments.empty() || at + 2 != numbers.size()) return bad_input("a curve's numbers do not fit its cuts");
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      SegmentVector& unknowns = segments[i];
+      unknowns[2] = i + 1 < segments.size() ? segments[i + 1][0] : numbers[at];
+      unknowns[3] = i + 1 < segments.size() ? segments[i + 1][1] : numbers[at + 1];
+      const double length = curve.cuts[i + 1] - curve.cuts[i];
+      const SegmentVector c = smooth_basis(static_cast<int>(unknowns.size()) - 1, length, 1.0) * unknowns;
+      curve.coefficients.emplace_back(c.begin(), c.end());
+    }
   }
   if (auto valid = curve.validate(); !valid) return pass_on(std::move(valid));
   return curve;

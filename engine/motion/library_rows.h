@@ -20,7 +20,8 @@ Bytes sample_bytes(const Motion& motion);
 Result<std::vector<MotionFrame>> parse_samples(std::span<const unsigned char> bytes, std::size_t frames,
                                                std::size_t joints);
 
-/// Cuts; and for every segment the count of its coefficients and these: little-endian doubles.
+/// Cuts; and of one segment its coefficients, of more, for each, their count, value and slope at its begin and its
+/// bubbles (smooth_basis.h, slopes a second), and last the value and slope at the end: little-endian doubles.
 Bytes cut_bytes(const PiecewisePolynomial& curve);
 Bytes coefficient_bytes(const PiecewisePolynomial& curve);
 /// Fails as bad_input.

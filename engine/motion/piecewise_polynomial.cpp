@@ -56,8 +56,10 @@ CutJump PiecewisePolynomial::largest_jump() const {
 }
 
 std::size_t PiecewisePolynomial::stored_numbers() const {
-  std::size_t numbers = segments() - 1;
-  for (const auto& segment : coefficients) numbers += segment.size();
+  if (segments() == 1) return coefficients[0].size();
+  // Value and slope at every cut and end, the cuts' times, and what each segment has beyond a cubic.
+  std::size_t numbers = 2 * cuts.size() + segments() - 1;
+  for (const auto& segment : coefficients) numbers += segment.size() > 4 ? segment.size() - 4 : 0;
   return numbers;
 }
 

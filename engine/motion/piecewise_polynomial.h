@@ -37,7 +37,8 @@ struct PiecewisePolynomial {
   /// The largest jumps over all cuts; zeros where there is one segment.
   CutJump largest_jump() const;
 
-  /// Coefficients and cuts between segments. The two ends are the clip's, not the curve's.
+  /// What must be kept: value and slope once at every cut and end, what each segment has beyond a cubic, and the times
+  /// of the cuts; of one segment its coefficients. The two ends' times are the clip's, not the curve's.
   std::size_t stored_numbers() const;
 
   /// Fails as bad_input where counts, order, degrees or numbers are wrong: for curves that come from a file.

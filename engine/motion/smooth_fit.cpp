@@ -81,8 +81,8 @@ EndSystem::EndSystem(const std::vector<Element>& elements) {
 }  // namespace
 
 std::size_t Segmentation::stored_numbers() const {
-  std::size_t numbers = segments() - 1;
-  for (const int degree : degrees) numbers += static_cast<std::size_t>(degree) + 1;
+  std::size_t numbers = 2 * cuts.size() + segments() - 1;
+  for (const int degree : degrees) numbers += static_cast<std::size_t>(degree) - 3;
   return numbers;
 }
 

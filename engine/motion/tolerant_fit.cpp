@@ -144,7 +144,7 @@ bool TolerantFit::try_segmentation(const Segmentation& trial) {
 bool TolerantFit::merge_at(std::size_t cut) {
   const std::size_t first = segmentation_.cuts[cut - 1], last = segmentation_.cuts[cut + 1];
   const int degree = sufficient_degree(first, last);
-  if (degree == 0 || degree >= segmentation_.degrees[cut - 1] + segmentation_.degrees[cut] + 2) return false;
+  if (degree == 0 || degree >= segmentation_.degrees[cut - 1] + segmentation_.degrees[cut]) return false;
   Segmentation trial = segmentation_;
   trial.cuts.erase(trial.cuts.begin() + static_cast<std::ptrdiff_t>(cut));
   trial.degrees.erase(trial.degrees.begin() + static_cast<std::ptrdiff_t>(cut));
