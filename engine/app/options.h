@@ -31,7 +31,7 @@ struct SceneOptions {
   std::optional<double> fps;
   std::filesystem::path library;  ///< motion library where the scene names none; empty: the user's own
   double strength = 1.0;          ///< of all muscles, 0 to 1
-  std::size_t vertices = 0;  ///< resample every character to about so many; 0: as the file has it
+  std::size_t vertices = 0;       ///< resample every character to about so many; 0: as the file has it
 };
 
 /// Each fails as usage, naming the option, the value and what would be right.
