@@ -47,7 +47,7 @@ void set_extent(const HeadPlan& plan, std::uint32_t chin, std::vector<Vec3>& ski
   for (const Vec3& p : skin) top = std::max(top, p.y);
   const double low = skin[chin].y;
   for (Vec3& p : skin) {
-    p.y += (head_units - top) * smoothstep01((p.y - plan.brow) / (head_units - plan.brow));
+    p.y += (head_units - top) * smoothstep01((p.y - plan.brow) / (top - plan.brow));
     p.y -= low * (1.0 - smoothstep01((p.y - low) / (0.7 * plan.mouth))) * smoothstep01((p.y - low + 0.8) / 0.8);
   }
 }
@@ -94,8 +94,9 @@ class HeadBuilder {
   }
 
   void add_inside() {
-    for (const double jaw : {0.0, 1.0, 0.95}) {
-      const HeadSurface part = jaw == 0.95 ? build_tongue(plan_) : build_teeth(plan_, jaw == 0.0);
+    constexpr double upper_teeth = 0.0, lower_teeth = 1.0, tongue = 0.95;
+    for (const double jaw : {upper_teeth, lower_teeth, tongue}) {
+      const HeadSurface part = jaw == tongue ? build_tongue(plan_) : build_teeth(plan_, jaw == upper_teeth);
       const std::size_t first = head_.positions.size();
       add(part, [&](std::size_t) {
         FaceVertex vertex;

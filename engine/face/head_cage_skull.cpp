@@ -140,12 +140,15 @@ void add_cap(const HeadPlan& plan, HeadCage& cage) {
     const Vec3& p = cage.at(point(column, row));
     return Vec2(p.x, p.z);
   };
+  // The first row stands at the hair line, where that is far enough from the ring.
+  const double depth = flat(0, 0).y - flat(0, rows).y;
+  const double first = std::clamp((flat(0, 0).y - plan.loft.front(plan.m.hair_line)) / depth, 0.06, 0.15);
   for (int column = 0; column < columns; ++column)
     for (int row = 1; row < rows; ++row) {
       // A Coons patch seen from above; heights by the skull.
       const double a = column / double(columns), b = row / double(rows);
       const double u = 0.4 * a + 0.6 * std::sin(0.5 * std::numbers::pi * a);
-      const double v = 0.4 * b + 0.6 * (0.5 - 0.5 * std::cos(std::numbers::pi * b));
+      const double v = row == 1 ? first : 0.4 * b + 0.6 * (0.5 - 0.5 * std::cos(std::numbers::pi * b));
       const Vec2 middle(0.0, glm::mix(flat(0, 0).y, flat(0, rows).y, v));
       const Vec2 p = (1 - v) * flat(column, 0) + v * flat(column, rows) + (1 - u) * middle + u * flat(columns, row) -
                      ((1 - u) * (1 - v) * flat(0, 0) + u * (1 - v) * flat(columns, 0) + (1 - u) * v * flat(0, rows) +

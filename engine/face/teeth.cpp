@@ -36,7 +36,8 @@ HeadSurface build_teeth(const HeadPlan& plan, bool upper) {
   for (int i = 0; i <= steps; ++i) {
     // From the middle outwards both ways, so that the halves mirror each other exactly.
     const double u = (2 * i - steps) / double(steps) * arch_end;
-    const double bulge = std::sqrt(std::sin(std::numbers::pi * (i % steps_a_tooth) / steps_a_tooth));
+    const int in_tooth = std::min(i % steps_a_tooth, steps_a_tooth - i % steps_a_tooth);
+    const double bulge = std::sqrt(std::sin(std::numbers::pi * in_tooth / steps_a_tooth));
     const Vec3 middle = arch.at(std::abs(u)), away = arch.outward(std::abs(u));
     for (const auto& [out_of_arch, along] : profile) {
       const double notch = along < 1 ? 0.010 * (1 - bulge) : 0.0;

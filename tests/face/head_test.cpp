@@ -26,8 +26,10 @@ TEST(Head, AllAgesAndSkullsShareVerticesAndTriangles) {
         ASSERT_EQ(head.triangles[t].corners, adult.triangles[t].corners);
         ASSERT_EQ(head.triangles[t].material, adult.triangles[t].material);
       }
-      EXPECT_EQ(head.texture_coordinates, adult.texture_coordinates);
-      EXPECT_EQ(head.mirror, adult.mirror);
+      EXPECT_TRUE(head.mirror == adult.mirror) << age << skull;
+      // What stands in the skin is laid out in its own box, brows by their shape.
+      for (std::size_t v = 0; v < head.skin_vertices; ++v)
+        ASSERT_EQ(head.texture_coordinates[v], adult.texture_coordinates[v]);
     }
 }
 
@@ -97,6 +99,8 @@ TEST_P(Proportions, AreThoseOfTheDrawingRules) {
     EXPECT_NEAR((y("crown") - y(p.landmark)) / height, p.share, p.tolerance);
   }
 }
+
+std::ostream& operator<<(std::ostream& out, const Proportion& p) { return out << p.age << " " << p.landmark; }
 
 INSTANTIATE_TEST_SUITE_P(
     Loomis, Proportions,
