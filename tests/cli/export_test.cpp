@@ -107,7 +107,7 @@ void expect_sound(const MeshFile& mesh, const nlohmann::json& counts) {
 }
 
 TEST_F(Export, EveryFormatHoldsTheSameMesh) {
-  const auto counts = json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"});
+  const auto counts = json({"info", arm_scene});
   for (const char* name : {"x.obj", "x.ply", "x.glb"}) write_mesh({"--frame", "40", "-o", name});
   const MeshFile obj = read_obj(read("x.obj")), ply = read_ply(read("x.ply"));
   expect_sound(obj, counts);
@@ -180,7 +180,7 @@ TEST_F(Export, RigIsTheModelAgain) {
   write_mesh({"--rig", "-o", "rig.glb"});
   const Model rig = model("rig.glb");
   EXPECT_TRUE(rig.problems.empty()) << rig.problems.front();
-  const auto scene = json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"});
+  const auto scene = json({"info", arm_scene});
   const auto copy = json({"info", "rig.glb"});
   for (const char* key : {"vertices", "triangles", "joints", "max_influences", "humanoid", "morph_targets"})
     EXPECT_EQ(copy[key], scene[key]) << key;

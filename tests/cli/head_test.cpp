@@ -23,7 +23,9 @@ TEST_F(HeadCommand, WritesAFileThatTheOtherCommandsTake) {
   EXPECT_EQ(info.at("vertices"), made.at("vertices"));
   EXPECT_EQ(info.at("triangles"), made.at("triangles"));
   EXPECT_EQ(info.at("morph_targets"), made.at("morph_targets"));
-  EXPECT_TRUE(info.at("problems").empty()) << info.at("problems");
+  // A head alone is no humanoid; nothing else is wrong with it.
+  for (const nlohmann::json& problem : info.at("problems"))
+    EXPECT_EQ(problem.get<std::string>().find("not a whole humanoid"), 0u) << problem;
   EXPECT_EQ(json({"parity", "head.glb"}).at("pass"), true);
 }
 

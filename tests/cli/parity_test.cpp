@@ -9,8 +9,8 @@ namespace {
 
 class Parity : public ProgramTest {};
 
-TEST_F(Parity, EmbeddedSceneByEveryDeformerWithEveryBulge) {
-  const auto scene = json({"info", std::string(SINEW_SOURCE_DIR) + "/scenes/curl.json"});
+TEST_F(Parity, ArmByEveryDeformerWithEveryBulge) {
+  const auto scene = json({"info", arm_scene});
   for (const char* deformer : {"rigid", "ssd"})
     for (const char* bulge : {"on", "off", "paper"}) {
       const auto report = json({"parity", arm_scene, "--deformer", deformer, "--bulge", bulge});

@@ -205,8 +205,8 @@ TEST(SceneFile, WritesLinesThatPeopleCanRead) {
   EXPECT_NE(text.find("\"frames\": [10, 10],\n"), std::string::npos) << text;
 }
 
-TEST(SceneFile, CurlIsTheArmThatBends) {
-  const auto curl = read_scene(scenes / "curl.json");
+TEST(SceneFile, ArmIsOneThatBends) {
+  const auto curl = read_scene(scenes / "arm.json");
   ASSERT_TRUE(curl) << curl.error().message;
   EXPECT_EQ(curl->frames, (FrameSpan{0, 47}));
   const Character& arm = curl->characters.at(0);
