@@ -34,13 +34,8 @@ SkeletonOverlay skeleton_overlay(const StagedCharacter& character, std::vector<M
   return overlay;
 }
 
-/// The box of the skin that follows a joint at the end of a chain, such as the head, in the rest pose; empty where the
-/// chain goes on, since then the segments beside the joint say how much belongs to it.
-Bounds skin_at_the_end(const StagedCharacter& character, int node) {
-  for (const int child : character.model->nodes[node].children)
-    if (std::ranges::any_of(character.model->skins,
-                            [&](const Skin& skin) { return std::ranges::count(skin.joints, child) > 0; }))
-      return {};
+/// The box of the skin that follows a joint, in the rest pose.
+Bounds skin_of(const StagedCharacter& character, int node) {
   Bounds box;
   for (std::size_t v = 0; v < character.rest.positions.size(); ++v)
     if (character.mesh.bone(v) == node) box.add(character.rest.positions[v]);
@@ -68,10 +63,6 @@ Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name) {
       unknown = node.error();
       continue;
     }
-    if (const Bounds skin = skin_at_the_end(character, *node); !skin.empty()) {
-      const Vec4 place = glm::inverse(character.rest.global[*node]) * Vec4(skin.centre(), 1.0);
-      return ZoomTarget{i, *node, place, 0.6 * skin.diagonal()};
-    }
     const Vec3 here(character.rest.global[*node][3]);
     double segment = 0.0;
     const Node& found = character.model->nodes[*node];
@@ -79,6 +70,11 @@ Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name) {
     for (const int child : found.children)
       segment = std::max(segment, glm::length(here - Vec3(character.rest.global[child][3])));
     if (segment <= 0.0) segment = 0.1 * rest_bounds(stage).diagonal();
+    // A head or a chest is larger than the way to the joints beside it.
+    const Bounds skin = skin_of(character, *node);
+    if (0.6 * skin.diagonal() > 0.75 * segment)
+      return ZoomTarget{i, *node, glm::inverse(character.rest.global[*node]) * Vec4(skin.centre(), 1.0),
+                        0.6 * skin.diagonal()};
     return ZoomTarget{i, *node, Vec4(0.0, 0.0, 0.0, 1.0), 0.75 * segment};
   }
   return bad_input("--zoom {}: {}", name, unknown ? unknown->message : "the scene has no character");
