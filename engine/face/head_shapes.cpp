@@ -103,7 +103,8 @@ HeadShape posed_head(const Head& head, const FaceChannels& channels) {
 std::vector<HeadShape> head_shapes(const Head& head, bool strict) {
   const std::vector<Recipe> all = recipes(head, strict);
   std::vector<HeadShape> out(all.size());
-  parallel_for(all.size(), [&](std::size_t i) { out[i] = made(head, all[i]); }, 1);
+  parallel_for(
+      all.size(), [&](std::size_t i) { out[i] = made(head, all[i]); }, 1);
   return out;
 }
 

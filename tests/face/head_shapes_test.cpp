@@ -56,9 +56,7 @@ TEST(HeadShapes, VerticesHaveFewDeltas) {
 
 TEST(HeadShapes, HalvesMakeTheWhole) {
   const Head& head = head_of("adult");
-  const auto find = [&](const std::string& name) {
-    return *std::ranges::find(shapes(), name, &HeadShape::name);
-  };
+  const auto find = [&](const std::string& name) { return *std::ranges::find(shapes(), name, &HeadShape::name); };
   const HeadShape left = find("noseSneerLeft"), right = find("noseSneerRight"), both = find("nose+");
   for (std::size_t v = 0; v < head.positions.size(); ++v) {
     const Vec3 sum = left.positions[v] + right.positions[v] - head.positions[v];
