@@ -109,7 +109,8 @@ void report(const Words& words, const Head& head, const Model& model, const std:
   nlohmann::ordered_json landmarks = nlohmann::ordered_json::object(), list = nlohmann::ordered_json::array();
   const auto numbers = model_vertices(head);
   for (const auto& [name, vertex] : head.landmarks) landmarks[name] = numbers[vertex];
-  for (const HeldChannel& h : held) list.push_back({{"region", channel_word(h.channel)}, {"asked", h.asked}, {"held", h.held}});
+  for (const HeldChannel& h : held)
+    list.push_back({{"region", channel_word(h.channel)}, {"asked", h.asked}, {"held", h.held}});
   print_json({{"file", words.output},
               {"vertices", vertices},
               {"triangles", triangles},

@@ -74,8 +74,8 @@ FaceState face_state(const FaceRig& rig, const FaceChannels& channels) {
   for (std::size_t s = 0; s < 2; ++s) {
     // Outward is the viewer's right on the character's left side.
     const double outward = s == 0 ? 1.0 : -1.0;
-    split(outward * value(s == 0 ? C::brow_left_right : C::brow_right_right), FaceSignal::brow_out,
-          FaceSignal::brow_in, s);
+    split(outward * value(s == 0 ? C::brow_left_right : C::brow_right_right), FaceSignal::brow_out, FaceSignal::brow_in,
+          s);
     split(value(s == 0 ? C::brow_left_up : C::brow_right_up), FaceSignal::brow_up, FaceSignal::brow_down, s);
     // Counter-clockwise raises the outer end of the left brow, clockwise that of the right.
     const double turn = outward * value(s == 0 ? C::brow_left_turn : C::brow_right_turn) * degrees_to_radians;
@@ -103,8 +103,8 @@ FaceState face_state(const FaceRig& rig, const FaceChannels& channels) {
   constexpr double given_back = 0.45;
   out.jaw_angle = value(C::jaw_drop) / rig.chin_reach;
   const double rest_angle = std::atan2(-rig.chin_fall, rig.chin_reach);
-  const double swing = std::hypot(rig.chin_reach, rig.chin_fall) *
-                       (std::cos(rest_angle) - std::cos(rest_angle - out.jaw_angle));
+  const double swing =
+      std::hypot(rig.chin_reach, rig.chin_fall) * (std::cos(rest_angle) - std::cos(rest_angle - out.jaw_angle));
   out.jaw_forward = given_back * swing;
   out.seal = value(C::lip_seal);
   return out;

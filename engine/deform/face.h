@@ -28,8 +28,8 @@ HeldFace hold_at_limits(const FaceRig& rig, const FaceChannels& channels);
 /// What a frame's channels mean to all vertices alike.
 struct FaceState {
   std::array<double, face_signals> signals{};
-  double jaw_angle = 0.0;      ///< radians about x at share 1
-  double jaw_forward = 0.0;    ///< added to z at share 1: part of the chin's swing back is given back
+  double jaw_angle = 0.0;    ///< radians about x at share 1
+  double jaw_forward = 0.0;  ///< added to z at share 1: part of the chin's swing back is given back
   double seal = 0.0;
   std::array<double, 2> upper_lid{}, lower_lid{};
   std::array<Vec2, 2> gaze{};  ///< yaw, pitch, radians

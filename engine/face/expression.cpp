@@ -88,15 +88,16 @@ FacePreset read_expression(const std::string& name, const Json& json) {
   out.from = moves_of(json.value("from", Json::object()));
   using K = ExpressionKind;
   using O = ExpressionOverride;
-  out.kind = word_of<K>(json, "kind", {{"emotion", K::emotion}, {"mouth", K::mouth}, {"blink", K::blink}, {"look", K::look}});
+  out.kind =
+      word_of<K>(json, "kind", {{"emotion", K::emotion}, {"mouth", K::mouth}, {"blink", K::blink}, {"look", K::look}});
   const auto override_of = [&](const char* key) {
     return word_of<O>(json, key, {{"none", O::none}, {"block", O::block}, {"blend", O::blend}});
   };
   out.mouth = override_of("mouth");
   out.blink = override_of("blink");
   out.look = override_of("look");
-  out.half = word_of<FaceHalf>(json, "half",
-                               {{"both", FaceHalf::both}, {"left", FaceHalf::left}, {"right", FaceHalf::right}});
+  out.half =
+      word_of<FaceHalf>(json, "half", {{"both", FaceHalf::both}, {"left", FaceHalf::left}, {"right", FaceHalf::right}});
   return out;
 }
 
@@ -177,8 +178,9 @@ FaceChannels for_head(const FaceRig& face, FaceChannels channels) {
   const auto scale = [&](std::initializer_list<C> list, double factor) {
     for (const C c : list) channel(channels, c) *= factor;
   };
-  scale({C::brow_left_right, C::brow_left_up, C::brow_right_right, C::brow_right_up, C::cheek_left_up, C::cheek_right_up},
-        face.eye_scale);
+  scale(
+      {C::brow_left_right, C::brow_left_up, C::brow_right_right, C::brow_right_up, C::cheek_left_up, C::cheek_right_up},
+      face.eye_scale);
   scale({C::upper_lip_up, C::lower_lip_up, C::corner_left_right, C::corner_left_up, C::corner_right_right,
          C::corner_right_up},
         face.mouth_scale);

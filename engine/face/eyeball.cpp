@@ -18,7 +18,8 @@ std::vector<Ring> rings(double iris) {
                         {limbus_share * iris, HeadMaterial::limbus},
                         {iris, HeadMaterial::sclera}};
   constexpr int back_rings = 17;
-  for (int i = 1; i < back_rings; ++i) out.push_back({glm::mix(iris, 180.0, double(i) / back_rings), HeadMaterial::sclera});
+  for (int i = 1; i < back_rings; ++i)
+    out.push_back({glm::mix(iris, 180.0, double(i) / back_rings), HeadMaterial::sclera});
   return out;
 }
 
@@ -29,7 +30,8 @@ HeadSurface build_eyeball(const HeadPlan& plan) {
   HeadSurface out;
   const auto add = [&](double degrees, double turn) {
     const double a = degrees * degrees_to_radians, s = std::sin(a);
-    out.positions.push_back(plan.eye_centre + plan.m.eye_radius * Vec3(s * std::cos(turn), s * std::sin(turn), std::cos(a)));
+    out.positions.push_back(plan.eye_centre +
+                            plan.m.eye_radius * Vec3(s * std::cos(turn), s * std::sin(turn), std::cos(a)));
   };
   add(0.0, 0.0);
   for (const Ring& ring : all)

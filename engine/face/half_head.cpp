@@ -35,8 +35,8 @@ Result<Soup> read_soup(const std::filesystem::path& file) {
       const auto first = static_cast<std::uint32_t>(out.positions.size());
       for (const Vec3& p : primitive.positions) out.positions.emplace_back(world * Vec4(p, 1.0));
       for (std::size_t k = 0; k + 2 < primitive.indices.size(); k += 3)
-        out.polygons.push_back({first + primitive.indices[k], first + primitive.indices[k + 1],
-                                first + primitive.indices[k + 2]});
+        out.polygons.push_back(
+            {first + primitive.indices[k], first + primitive.indices[k + 1], first + primitive.indices[k + 2]});
     }
   }
   return out;
@@ -48,8 +48,7 @@ Soup welded(const Soup& soup) {
   std::map<std::array<double, 3>, std::uint32_t> places;
   std::vector<std::uint32_t> number;
   for (const Vec3& p : soup.positions) {
-    const auto [at, is_new] =
-        places.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(out.positions.size()));
+    const auto [at, is_new] = places.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(out.positions.size()));
     if (is_new) out.positions.push_back(p);
     number.push_back(at->second);
   }

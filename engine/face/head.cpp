@@ -120,9 +120,12 @@ class HeadBuilder {
     };
     const double tip = plan_.nose_base + m.nose_length;
     for (const Vec3& p : head_.positions) {
-      const double cheek = spot(p, {1.22 * m.eye_spacing, glm::mix(plan_.nose, plan_.eye, 0.18), 1.2}, {0.30, 0.25, 0.6});
+      const double cheek =
+          spot(p, {1.22 * m.eye_spacing, glm::mix(plan_.nose, plan_.eye, 0.18), 1.2}, {0.30, 0.25, 0.6});
       const double nose = spot(p, {0.0, plan_.nose + m.nose_tip_rise, tip}, {0.18, 0.14, 0.20});
-      const double ear = spot(p, {plan_.loft.at(90, plan_.eye).x + 0.18, glm::mix(m.ear_bottom, m.ear_top, 0.5), m.ear_depth - 0.05}, {0.12, 0.42, 0.3});
+      const double ear =
+          spot(p, {plan_.loft.at(90, plan_.eye).x + 0.18, glm::mix(m.ear_bottom, m.ear_top, 0.5), m.ear_depth - 0.05},
+               {0.12, 0.42, 0.3});
       head_.blush.push_back(std::min(1.0, 0.65 * cheek + 0.35 * nose + 0.6 * ear));
     }
   }
@@ -151,7 +154,8 @@ class HeadBuilder {
 
   void set_lip_line() {
     for (int j = 0; j < 5; ++j) {
-      const std::uint32_t upper = topology_.vertex_of(mouth_point(2, j)), lower = topology_.vertex_of(mouth_point(2, 10 - j));
+      const std::uint32_t upper = topology_.vertex_of(mouth_point(2, j)),
+                          lower = topology_.vertex_of(mouth_point(2, 10 - j));
       head_.lip_line.push_back({upper, lower});
       if (j > 0) head_.lip_line.push_back({topology_.mirror()[upper], topology_.mirror()[lower]});
     }

@@ -16,13 +16,13 @@ constexpr int default_head_level = 2, most_head_level = 4;
 
 struct Head {
   HeadMeasures measures;
-  std::vector<Vec3> positions;          ///< [vertices] drawing units; front +z, the head's left +x, chin at y = 0
-  std::vector<Vec3> normals;            ///< [vertices]
-  std::vector<Vec2> texture_coordinates;///< [vertices]
-  std::vector<double> blush;            ///< [vertices] 0 to 1: where the skin is redder
-  std::vector<HeadTriangle> triangles;  ///< the same for every head of a level
-  std::size_t skin_vertices = 0;        ///< the skin's stand first
-  std::vector<std::uint32_t> mirror;    ///< [vertices] the same place on the other side
+  std::vector<Vec3> positions;            ///< [vertices] drawing units; front +z, the head's left +x, chin at y = 0
+  std::vector<Vec3> normals;              ///< [vertices]
+  std::vector<Vec2> texture_coordinates;  ///< [vertices]
+  std::vector<double> blush;              ///< [vertices] 0 to 1: where the skin is redder
+  std::vector<HeadTriangle> triangles;    ///< the same for every head of a level
+  std::size_t skin_vertices = 0;          ///< the skin's stand first
+  std::vector<std::uint32_t> mirror;      ///< [vertices] the same place on the other side
   FaceRig face;
   std::map<std::string, std::uint32_t> landmarks;  ///< crown, hairLine, brow ...: vertices
 

@@ -54,10 +54,10 @@ struct HeadPlan {
   double lower_scale;             ///< of what lies below the eye: no more than fits above the nose
   double mouth_scale;             ///< 1 for the adult's mouth
   Vec3 eye_centre;
-  double nasion;           ///< depth of the nose's root
-  double nose_base;        ///< depth of the nose's base
-  double lip_line;         ///< depth at which the lips meet in the middle
-  double corner;           ///< depth of the mouth's corner
+  double nasion;     ///< depth of the nose's root
+  double nose_base;  ///< depth of the nose's base
+  double lip_line;   ///< depth at which the lips meet in the middle
+  double corner;     ///< depth of the mouth's corner
   /// Where the cheek bone stands forward, 0 to `cheek_bone`.
   double cheek_bone(double x, double y) const;
   /// How far a full cheek stands out beside the mouth.

@@ -73,7 +73,8 @@ void puff_cheek(const HeadPlan& plan, HeadCage& cage) {
     const bool skin = p.part == HeadPart::cheek || (p.part == HeadPart::mouth && p.ring >= 5) ||
                       (p.part == HeadPart::side && p.ring <= 1) || (p.part == HeadPart::eye && p.ring == 6) ||
                       (p.part == HeadPart::nose && p.ring == 3) || p.part == HeadPart::chin;
-    if (skin && cage.positions[v].x > 0.0) cage.positions[v] += plan.cheek_puff(cage.positions[v].x, cage.positions[v].y);
+    if (skin && cage.positions[v].x > 0.0)
+      cage.positions[v] += plan.cheek_puff(cage.positions[v].x, cage.positions[v].y);
   }
 }
 
@@ -113,8 +114,7 @@ void add_cheek(const HeadPlan& plan, HeadCage& cage) {
   add_chin(plan, cage);
   constexpr double edges[columns] = {0.0, 0.22, 0.42, 0.60};
   for (int column = 1; column < columns; ++column) {
-    for (int row = 1; row < last_row; ++row)
-      cage.put(cheek_point(column, row), cheek_place(plan, cage, column, row));
+    for (int row = 1; row < last_row; ++row) cage.put(cheek_point(column, row), cheek_place(plan, cage, column, row));
     cage.put(cheek_point(column, last_row), plan.jaw_edge(edges[column]));
   }
   for (int column = 0; column + 1 < columns; ++column) {

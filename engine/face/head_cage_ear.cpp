@@ -59,8 +59,8 @@ class EarBuilder {
     };
     const Vec3 hole = cage_.at(ear_hole(i));
     const Vec3 rim = mix(o.p, o.q, 0.02 + 0.05 * rear, 0.02);
-    const Vec3 behind = on_head < 0.3 ? 0.45 * hole + 0.55 * mix(0.93 * o.p, 0.95 * o.q, -0.015, 0.01)
-                                      : 0.5 * (hole + rim);
+    const Vec3 behind =
+        on_head < 0.3 ? 0.45 * hole + 0.55 * mix(0.93 * o.p, 0.95 * o.q, -0.015, 0.01) : 0.5 * (hole + rim);
     cage_.put(ear_point(1, i), behind);
     cage_.put(ear_point(2, i), rim);
     cage_.put(ear_point(3, i), mix(0.90 * o.p, 0.925 * o.q, 0.045 + 0.05 * rear, 0.045));
@@ -72,7 +72,8 @@ class EarBuilder {
     const auto inner = [&](double along, double up, double h, double h_head) {
       return mix(along, up, h, h_head) + tragus * size * (0.085 * plane_.backward() + 0.05 * plane_.outward());
     };
-    cage_.put(ear_point(4, i), mix(0.74 * o.p, 0.79 * o.q, furrow, 0.03) + 0.4 * tragus * size * 0.06 * plane_.outward());
+    cage_.put(ear_point(4, i),
+              mix(0.74 * o.p, 0.79 * o.q, furrow, 0.03) + 0.4 * tragus * size * 0.06 * plane_.outward());
     cage_.put(ear_point(5, i), inner(0.58 * p + 0.01, 0.56 * o.q - 0.02 * size, fold, -0.01));
     cage_.put(ear_point(6, i), mix(0.36 * p - 0.005, 0.32 * o.q - 0.04 * size, -0.11, -0.095));
   }
@@ -81,7 +82,9 @@ class EarBuilder {
     for (int r = 1; r < 7; ++r)
       cage_.put(ear_point(7, r),
                 0.5 * (cage_.at(ear_point(6, r)) + cage_.at(ear_point(6, 16 - r))) - 0.02 * plane_.outward());
-    const auto middle = [](int r) { return r == 0 ? ear_point(6, top) : (r == 7 ? ear_point(6, lobe) : ear_point(7, r)); };
+    const auto middle = [](int r) {
+      return r == 0 ? ear_point(6, top) : (r == 7 ? ear_point(6, lobe) : ear_point(7, r));
+    };
     for (int r = 0; r < 7; ++r) {
       cage_.quad(ear_point(6, r), ear_point(6, r + 1), middle(r + 1), middle(r));
       cage_.quad(middle(r), middle(r + 1), ear_point(6, 15 - r), ear_point(6, 16 - r));
@@ -133,7 +136,9 @@ CagePoint ear_hole(int place) {
 void add_ear(const HeadPlan& plan, HeadCage& cage) {
   EarBuilder builder(plan, cage);
   for (int i = 0; i < ear_places; ++i) builder.add_rings(i);
-  const auto point = [](int ring, int i) { return ring == 0 ? ear_hole(i % ear_places) : ear_point(ring, i % ear_places); };
+  const auto point = [](int ring, int i) {
+    return ring == 0 ? ear_hole(i % ear_places) : ear_point(ring, i % ear_places);
+  };
   for (int ring = 0; ring < 6; ++ring)
     for (int i = 0; i < ear_places; ++i)
       cage.quad(point(ring, i), point(ring, i + 1), point(ring + 1, i + 1), point(ring + 1, i));

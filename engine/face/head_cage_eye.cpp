@@ -17,21 +17,11 @@ std::array<Vec2, eye_places> rim_outline(const HeadPlan& plan) {
   const double x = plan.m.eye_spacing, e = plan.eye, b = plan.brow, rise = b - e;
   const double s = plan.eye_scale, low = plan.lower_scale, inner = 0.175 * x / 0.5;
   const double outer = x + 0.48 * (0.6 + 0.4 * s) * (0.35 + 0.65 * plan.loft.width_factor(e));
-  return {Vec2{inner * 0.95, e},
-          {inner * 0.98, e + 0.5 * rise},
-          {inner * 1.06, e + 1.06 * rise},
-          {x - 0.15 * s, b + 0.09},
-          {x + 0.05 * s, b + 0.135},
-          {x + 0.24 * s, b + 0.105},
-          {outer - 0.07, b - 0.01},
-          {outer, e + 0.45 * rise},
-          {outer + 0.015, e - 0.03},
-          {outer - 0.005, e - 0.18 * low},
-          {outer - 0.08, e - 0.32 * low},
-          {x + 0.24 * s, e - 0.40 * low},
-          {x + 0.04 * s, e - 0.42 * low},
-          {x - 0.15 * s, e - 0.40 * low},
-          {inner * 1.15, e - 0.33 * low},
+  return {Vec2{inner * 0.95, e},           {inner * 0.98, e + 0.5 * rise}, {inner * 1.06, e + 1.06 * rise},
+          {x - 0.15 * s, b + 0.09},        {x + 0.05 * s, b + 0.135},      {x + 0.24 * s, b + 0.105},
+          {outer - 0.07, b - 0.01},        {outer, e + 0.45 * rise},       {outer + 0.015, e - 0.03},
+          {outer - 0.005, e - 0.18 * low}, {outer - 0.08, e - 0.32 * low}, {x + 0.24 * s, e - 0.40 * low},
+          {x + 0.04 * s, e - 0.42 * low},  {x - 0.15 * s, e - 0.40 * low}, {inner * 1.15, e - 0.33 * low},
           {inner * 1.03, e - 0.17 * low}};
 }
 

@@ -109,8 +109,7 @@ void add_bag(const HeadPlan& plan, HeadCage& cage) {
   };
   for (int column = 0; column < columns; ++column)
     for (int row = 1; row < rows; ++row)
-      cage.put(point(column, row),
-               {0.9 * across(plan, column), plan.mouth + 0.17 - 0.085 * row, plan.corner - 0.55});
+      cage.put(point(column, row), {0.9 * across(plan, column), plan.mouth + 0.17 - 0.085 * row, plan.corner - 0.55});
   for (int column = 0; column < columns; ++column)
     for (int row = 0; row < rows; ++row)
       cage.quad(point(column, row), point(column, row + 1), point(column + 1, row + 1), point(column + 1, row),

@@ -129,7 +129,9 @@ void add_sides(const HeadPlan& plan, HeadCage& cage) {
 void add_cap(const HeadPlan& plan, HeadCage& cage) {
   constexpr int columns = 4, rows = 6;
   // The ring that it closes: forehead, then the sides' first row.
-  const auto ring = [](int i) { return i < forehead_places ? forehead_point(2, i) : side_point(i - forehead_places, 0); };
+  const auto ring = [](int i) {
+    return i < forehead_places ? forehead_point(2, i) : side_point(i - forehead_places, 0);
+  };
   const auto point = [&](int column, int row) {
     if (row == 0) return ring(column);
     if (row == rows) return ring(14 - column);

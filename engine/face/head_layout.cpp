@@ -69,7 +69,8 @@ std::vector<Vec2> skin_layout(const HeadTopology& topology) {
   Eigen::VectorXd right_u = right.col(0);
   for (Eigen::Index k = 0; k < across.outerSize(); ++k)
     for (Eigen::SparseMatrix<double>::InnerIterator it(across, k); it; ++it) {
-      const bool row_fixed = on_plane(static_cast<std::size_t>(it.row())), column_fixed = on_plane(static_cast<std::size_t>(it.col()));
+      const bool row_fixed = on_plane(static_cast<std::size_t>(it.row())),
+                 column_fixed = on_plane(static_cast<std::size_t>(it.col()));
       if (row_fixed || column_fixed) it.valueRef() = it.row() == it.col() ? 1.0 : 0.0;
       if (row_fixed) right_u[it.row()] = 0.0;
     }

@@ -156,8 +156,7 @@ void apply_skull(const SkullWeights& skull, HeadMeasures& measures) {
 
 Result<void> apply_measure(std::string_view text, HeadMeasures& measures) {
   const std::size_t equals = text.find('=');
-  const auto value =
-      equals == std::string_view::npos ? std::optional<double>() : parse_number(text.substr(equals + 1));
+  const auto value = equals == std::string_view::npos ? std::optional<double>() : parse_number(text.substr(equals + 1));
   if (!value) return failure(ErrorKind::usage, "--measure {}: expected NAME=VALUE", text);
   const HeadMeasureField* field = find_field(text.substr(0, equals));
   if (field == nullptr) return bad_input("--measure {}: {}", text, unknown_measure(text.substr(0, equals)));

@@ -93,7 +93,8 @@ Model head_model(const Head& head, const HeadShape* base, std::span<const HeadSh
     Material material;
     material.name = looks[m].name;
     const bool brow = static_cast<HeadMaterial>(m) == HeadMaterial::brow;
-    material.base_colour = Vec4(brow ? glm::mix(looks[m].colour, downy_brow, head.measures.skull_infant) : looks[m].colour, 1.0);
+    material.base_colour =
+        Vec4(brow ? glm::mix(looks[m].colour, downy_brow, head.measures.skull_infant) : looks[m].colour, 1.0);
     material.roughness = looks[m].roughness;
     model.materials.push_back(material);
   }

@@ -131,7 +131,8 @@ void add_normal_deltas(Head& head) {
     if (amount == 0.0) continue;
     const std::vector<Vec3> normals = head_normals(head, posed_positions(head, channels));
     for (std::size_t v = 0; v < normals.size(); ++v) {
-      if (face.vertices[v].ball) continue;
+      // Teeth and tongue only turn.
+      if (face.vertices[v].ball || (v >= head.skin_vertices && added[v].empty())) continue;
       const Vec3 change = turned_back(face, state, v, normals[v]) - head.normals[v];
       if (glm::length(change) < nothing) continue;
       const auto entry = std::ranges::find(added[v], signal, &FaceDelta::signal);

@@ -49,9 +49,9 @@ HeadSurface build_eyeball(const HeadPlan& plan);
 /// The left brow as a tapering roll on the skin.
 struct Brow {
   HeadSurface surface;
-  std::vector<std::array<std::uint32_t, 6>> anchors;   ///< [vertices] the skin's vertices that carry each
-  std::vector<std::array<double, 6>> anchor_weights;   ///< sums of 1
-  std::vector<Vec2> outline;                           ///< points round it, from the front
+  std::vector<std::array<std::uint32_t, 6>> anchors;  ///< [vertices] the skin's vertices that carry each
+  std::vector<std::array<double, 6>> anchor_weights;  ///< sums of 1
+  std::vector<Vec2> outline;                          ///< points round it, from the front
 };
 /// `skin`: vertices of the whole head's skin.
 Brow build_brow(const HeadPlan& plan, std::span<const Vec3> skin);

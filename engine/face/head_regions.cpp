@@ -94,9 +94,9 @@ void set_lids(const HeadPlan& plan, const HeadTopology& topology, const HeadCage
 
 CageValues region_weights(const HeadCage& cage, const char* region) {
   const std::map<std::string, HeadPart> parts = {
-      {"eye", HeadPart::eye},   {"nose", HeadPart::nose},         {"mouth", HeadPart::mouth}, {"bag", HeadPart::bag},
-      {"cheek", HeadPart::cheek}, {"chin", HeadPart::chin}, {"forehead", HeadPart::forehead}, {"side", HeadPart::side},
-      {"neck", HeadPart::neck}};
+      {"eye", HeadPart::eye},           {"nose", HeadPart::nose},   {"mouth", HeadPart::mouth},
+      {"bag", HeadPart::bag},           {"cheek", HeadPart::cheek}, {"chin", HeadPart::chin},
+      {"forehead", HeadPart::forehead}, {"side", HeadPart::side},   {"neck", HeadPart::neck}};
   CageValues out(cage.positions.size(), 0.0);
   for (const auto& [key, weights] : document()["weights"][region].items()) {
     const std::size_t point = key.find('.');

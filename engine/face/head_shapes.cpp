@@ -87,18 +87,24 @@ HeadShape made(const Head& head, const Recipe& recipe) {
 }  // namespace
 
 HeadShape posed_head(const Head& head, const FaceChannels& channels) {
-  HeadShape out{"", posed_positions(head, channels), {}};
-  out.normals = head_normals(head, out.positions);
-  // Where nothing moves, nothing turns: the rest normals are symmetric to the bit, these sums are not.
-  for (std::size_t v = 0; v < out.normals.size(); ++v)
-    if (glm::distance(out.normals[v], head.normals[v]) < 1e-9) out.normals[v] = head.normals[v];
+  const FaceState state = face_state(head.face, channels);
+  HeadShape out{"", head.positions, head.normals};
+  FaceJob{head.face, state, head.positions, head.normals, out.positions, out.normals}.run();
+  const std::vector<Vec3> of_surface = head_normals(head, out.positions);
+  for (std::size_t v = 0; v < out.normals.size(); ++v) {
+    // What only turns has turned normals already, exactly.
+    const bool bends = v < head.skin_vertices || head.face.first[v + 1] > head.face.first[v];
+    // Where nothing moves, nothing turns: the rest normals are symmetric to the bit, these sums are not.
+    if (bends) out.normals[v] = glm::distance(of_surface[v], head.normals[v]) < 1e-9 ? head.normals[v] : of_surface[v];
+  }
   return out;
 }
 
 std::vector<HeadShape> head_shapes(const Head& head, bool strict) {
   const std::vector<Recipe> all = recipes(head, strict);
   std::vector<HeadShape> out(all.size());
-  parallel_for(all.size(), [&](std::size_t i) { out[i] = made(head, all[i]); }, 1);
+  parallel_for(
+      all.size(), [&](std::size_t i) { out[i] = made(head, all[i]); }, 1);
   return out;
 }
 

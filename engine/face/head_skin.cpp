@@ -89,8 +89,7 @@ HeadTopology::HeadTopology(int level) : cage_(build_head_cage(HeadPlan(measures_
 
   const Subdivision fine = subdivide(whole_cage_, coarse, level);
   std::vector<Vec3> places;
-  for (std::size_t v = 0; v < fine.limit.rows(); ++v)
-    places.push_back(fine.limit.times<Vec3>(v, positions));
+  for (std::size_t v = 0; v < fine.limit.rows(); ++v) places.push_back(fine.limit.times<Vec3>(v, positions));
   const std::vector<std::uint32_t> partner = mirror_of(places);
   // New numbers: the left half and the mid line, then the right half in the left's order.
   std::vector<std::uint32_t> number(places.size()), kept;

@@ -22,8 +22,8 @@ class HeadTopology {
   /// Vertices of the left half and the mid line stand first.
   std::size_t half_vertices() const { return half_.rows(); }
   const std::vector<Quad>& quads() const { return quads_; }
-  const std::vector<SkinKind>& kinds() const { return kinds_; }           ///< [quads]
-  const std::vector<std::uint32_t>& mirror() const { return mirror_; }    ///< [vertices] the same place on the other side
+  const std::vector<SkinKind>& kinds() const { return kinds_; }         ///< [quads]
+  const std::vector<std::uint32_t>& mirror() const { return mirror_; }  ///< [vertices] the same place on the other side
   bool on_mid_line(std::size_t v) const { return mirror_[v] == v; }
   /// The vertex that stands where this cage point is drawn to.
   std::uint32_t vertex_of(const CagePoint& point) const { return of_cage_[cage_.index(point)]; }

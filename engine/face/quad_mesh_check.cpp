@@ -29,9 +29,11 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
 
 std::string MeshCheck::words() const {
   std::vector<std::string> found;
-  if (broken_polygons > 0) found.push_back(fmt::format("{} polygons with fewer than three distinct corners", broken_polygons));
+  if (broken_polygons > 0)
+    found.push_back(fmt::format("{} polygons with fewer than three distinct corners", broken_polygons));
   if (crowded_edges > 0) found.push_back(fmt::format("{} edges used by more than two polygons", crowded_edges));
-  if (misfit_edges > 0) found.push_back(fmt::format("{} edges between polygons that face different ways", misfit_edges));
+  if (misfit_edges > 0)
+    found.push_back(fmt::format("{} edges between polygons that face different ways", misfit_edges));
   if (lonely_vertices > 0) found.push_back(fmt::format("{} vertices on fewer than two edges", lonely_vertices));
   return fmt::format("{}", fmt::join(found, ", "));
 }

@@ -13,11 +13,11 @@ namespace sinew {
 using Polygons = std::vector<std::vector<std::uint32_t>>;
 
 struct MeshCheck {
-  std::size_t open_edges = 0;         ///< used by one polygon
-  std::size_t crowded_edges = 0;      ///< used by more than two
-  std::size_t misfit_edges = 0;       ///< run through twice in the same direction: polygons wound differently
-  std::size_t lonely_vertices = 0;    ///< on fewer than two edges
-  std::size_t broken_polygons = 0;    ///< fewer than three corners, or a corner twice
+  std::size_t open_edges = 0;       ///< used by one polygon
+  std::size_t crowded_edges = 0;    ///< used by more than two
+  std::size_t misfit_edges = 0;     ///< run through twice in the same direction: polygons wound differently
+  std::size_t lonely_vertices = 0;  ///< on fewer than two edges
+  std::size_t broken_polygons = 0;  ///< fewer than three corners, or a corner twice
   std::size_t pieces = 0;
 
   bool sound() const { return crowded_edges + misfit_edges + lonely_vertices + broken_polygons == 0; }

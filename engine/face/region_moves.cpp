@@ -100,18 +100,21 @@ void add_mouth_moves(const HeadPlan& plan, const HeadCage& cage, MoveCarrier& ca
   carry.middle(FaceMiddleSignal::pucker, [&, k, mw](std::size_t v) {
     const Vec3& p = cage.positions[v];
     if (!is_mouth(v)) return Vec3(0.0);
-    constexpr double narrow[] = {0.30, 0.46, 0.46, 0.46, 0.46, 0.34, 0.14}, forth[] = {0.3, 0.9, 1.0, 1.0, 0.95, 0.5, 0.1};
+    constexpr double narrow[] = {0.30, 0.46, 0.46, 0.46, 0.46, 0.34, 0.14},
+                     forth[] = {0.3, 0.9, 1.0, 1.0, 0.95, 0.5, 0.1};
     const int ring = cage.names[v].ring;
     const double depth = glm::mix(plan.lip_line, plan.corner, std::pow(std::min(1.0, p.x / mw), 2));
     const double x = p.x * (1.0 - narrow[ring]);
     const double depth_there = glm::mix(plan.lip_line, plan.corner, std::pow(std::min(1.0, x / mw), 2));
     const double away = std::clamp((p.y - plan.mouth) / (0.12 * k), -1.0, 1.0);
     const bool lip = ring == 3 || ring == 4;
-    return Vec3(x - p.x, lip ? 0.018 * k * away : 0.0, narrow[ring] / 0.46 * (depth_there - depth) + 0.11 * k * forth[ring]);
+    return Vec3(x - p.x, lip ? 0.018 * k * away : 0.0,
+                narrow[ring] / 0.46 * (depth_there - depth) + 0.11 * k * forth[ring]);
   });
   carry.middle(FaceMiddleSignal::press, [&, k](std::size_t v) {
     if (!is_mouth(v)) return Vec3(0.0);
-    constexpr double thin[] = {0.0, 0.0, 0.0, 0.55, 0.50, 0.12, 0.0}, back[] = {0.0, 0.02, 0.02, 0.045, 0.015, 0.0, 0.0};
+    constexpr double thin[] = {0.0, 0.0, 0.0, 0.55, 0.50, 0.12, 0.0},
+                     back[] = {0.0, 0.02, 0.02, 0.045, 0.015, 0.0, 0.0};
     const int ring = cage.names[v].ring;
     return Vec3(0.0, thin[ring] * (plan.mouth - cage.positions[v].y) * (ring == 5 ? 0.5 : 1.0), -back[ring] * k);
   });
@@ -137,7 +140,8 @@ void add_helper_moves(const HeadPlan& plan, const HeadCage& cage, MoveCarrier& c
     Vec3 move = w[v] * Vec3(wing ? 0.25 : 0.0, 1.0, 0.15);
     // The root folds: out, in, out down the ridge.
     constexpr double fold[] = {0.10, -0.22, 0.25, -0.12};
-    if (name.part == HeadPart::nose && name.ring < 2 && name.place < 4) move.z += fold[name.place] * (name.ring ? 0.8 : 1.0);
+    if (name.part == HeadPart::nose && name.ring < 2 && name.place < 4)
+      move.z += fold[name.place] * (name.ring ? 0.8 : 1.0);
     if (name.part == HeadPart::nose && name.ring == 0) move.x = 0.0;
     return move;
   });

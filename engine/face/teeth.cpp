@@ -7,7 +7,7 @@ constexpr int teeth = 12, steps_a_tooth = 4;
 constexpr double arch_end = 0.92;
 
 /// The row's profile from the inside over the edge and the front to the gum: out of the arch, and along the height.
-constexpr double profile[][2] = {{-0.07, 0.10}, {-0.05, 0.0},   {-0.012, -0.01}, {0.006, 0.10}, {0.012, 0.45},
+constexpr double profile[][2] = {{-0.07, 0.10},  {-0.05, 0.0},  {-0.012, -0.01}, {0.006, 0.10}, {0.012, 0.45},
                                  {-0.005, 0.92}, {0.004, 1.03}, {-0.045, 1.45},  {-0.12, 1.6}};
 constexpr std::uint32_t profile_points = std::size(profile), first_gum = 5;
 

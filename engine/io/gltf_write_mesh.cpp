@@ -104,8 +104,7 @@ Json written_target(const std::string& place, const MorphTarget& target, std::si
   // A target has to have an attribute, and players take the positions for granted.
   positions.resize(3 * vertices);
   Json out;
-  out["POSITION"] =
-      glb.add_sparse_floats(place + "/POSITION", positions, AccessorShape::vec3, AccessorBounds::written);
+  out["POSITION"] = glb.add_sparse_floats(place + "/POSITION", positions, AccessorShape::vec3, AccessorBounds::written);
   if (!target.normals.empty())
     out["NORMAL"] = glb.add_sparse_floats(place + "/NORMAL", floats(target.normals), AccessorShape::vec3);
   return out;

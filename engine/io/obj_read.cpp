@@ -30,10 +30,12 @@ Result<ObjMesh> read_obj(const std::filesystem::path& file) {
         const auto index = parse_integer(split(word, '/')[0]);
         const auto count = static_cast<long long>(out.positions.size());
         if (!index || *index == 0 || *index > count || *index < -count)
-          return bad_input("{}: line {}: \"{}\" is no vertex; there are {} before it", file.string(), number, word, count);
+          return bad_input("{}: line {}: \"{}\" is no vertex; there are {} before it", file.string(), number, word,
+                           count);
         polygon.push_back(static_cast<std::uint32_t>(*index > 0 ? *index - 1 : count + *index));
       }
-      if (polygon.size() < 3) return bad_input("{}: line {}: a face of {} corners", file.string(), number, polygon.size());
+      if (polygon.size() < 3)
+        return bad_input("{}: line {}: a face of {} corners", file.string(), number, polygon.size());
       out.polygons.push_back(std::move(polygon));
     }
   }

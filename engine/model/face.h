@@ -103,28 +103,28 @@ struct FaceDelta {
 
 /// How a vertex takes part in what turns.
 struct FaceVertex {
-  double jaw = 0.0;            ///< share of the jaw's turn
-  double jaw_sealed = 0.0;     ///< the same with sealed lips
-  int eye = -1;                ///< 0 left, 1 right: whose lid or ball it is; -1 neither
-  bool ball = false;           ///< turns with the gaze
-  double close_upper = 0.0;    ///< radians about the eyeball's centre, about x, at upper lid 1
-  double close_lower = 0.0;    ///< at lower lid 1
-  double least_distance = 0.0; ///< from the eyeball's centre, which the vertex never goes below; 0: may be anywhere
+  double jaw = 0.0;             ///< share of the jaw's turn
+  double jaw_sealed = 0.0;      ///< the same with sealed lips
+  int eye = -1;                 ///< 0 left, 1 right: whose lid or ball it is; -1 neither
+  bool ball = false;            ///< turns with the gaze
+  double close_upper = 0.0;     ///< radians about the eyeball's centre, about x, at upper lid 1
+  double close_lower = 0.0;     ///< at lower lid 1
+  double least_distance = 0.0;  ///< from the eyeball's centre, which the vertex never goes below; 0: may be anywhere
 };
 
 /// How far a region may go, under the names of the thesis (Yen 1990, 5.3); for the left as the viewer sees it, the
 /// right is its mirror image. Drawing units, degrees and shares, at scale 1.
 struct FaceLimits {
-  double eyebrow_up_vertical, eyebrow_down_vertical;        ///< EYEBROW_L_U_VERT_LIMIT, EYEBROW_L_D_VERT_LIMIT
-  double eyebrow_out_horizontal, eyebrow_in_horizontal;     ///< EYEBROW_L_L_HORT_LIMIT, EYEBROW_L_R_HORT_LIMIT
-  double eyebrow_rotate_range;                              ///< EYEBROW_ROTATE_RANGE
-  double eyelid_upper_wide;                                 ///< EYELID_LU_U_VERT_LIMIT, as a share of closing
-  double eyelid_lower_up;                                   ///< EYELID_LD_U_VERT_LIMIT, likewise
-  double eyeball_yaw, eyeball_up, eyeball_down;             ///< within the rest outline of the lids
-  double lip_up, lip_down;                                  ///< LIP_U_VERT_LIMIT, LIP_D_VERT_LIMIT from LIPS_MATCH_LEVEL
-  double corner_out, corner_in, corner_up, corner_down;     ///< MOUTH_CORNER_L_L_HORT_LIMIT ... _D_VERT_LIMIT
-  double chin_drop;                                         ///< CHIN_D_LIMIT
-  double cheek_up, nose_wrinkle;                            ///< helpers, not of the thesis
+  double eyebrow_up_vertical, eyebrow_down_vertical;     ///< EYEBROW_L_U_VERT_LIMIT, EYEBROW_L_D_VERT_LIMIT
+  double eyebrow_out_horizontal, eyebrow_in_horizontal;  ///< EYEBROW_L_L_HORT_LIMIT, EYEBROW_L_R_HORT_LIMIT
+  double eyebrow_rotate_range;                           ///< EYEBROW_ROTATE_RANGE
+  double eyelid_upper_wide;                              ///< EYELID_LU_U_VERT_LIMIT, as a share of closing
+  double eyelid_lower_up;                                ///< EYELID_LD_U_VERT_LIMIT, likewise
+  double eyeball_yaw, eyeball_up, eyeball_down;          ///< within the rest outline of the lids
+  double lip_up, lip_down;                               ///< LIP_U_VERT_LIMIT, LIP_D_VERT_LIMIT from LIPS_MATCH_LEVEL
+  double corner_out, corner_in, corner_up, corner_down;  ///< MOUTH_CORNER_L_L_HORT_LIMIT ... _D_VERT_LIMIT
+  double chin_drop;                                      ///< CHIN_D_LIMIT
+  double cheek_up, nose_wrinkle;                         ///< helpers, not of the thesis
 };
 
 /// Regions of a face that has them all.
@@ -133,14 +133,14 @@ struct FaceRig {
   std::vector<std::uint32_t> first{0};  ///< [vertices + 1] where each vertex's run starts in `deltas`
   std::vector<FaceDelta> deltas;
 
-  Vec3 hinge{0.0};            ///< of the jaw
-  double chin_reach = 1.0;    ///< depth of the chin before the hinge
-  double chin_fall = 0.0;     ///< height of the hinge above the chin
+  Vec3 hinge{0.0};          ///< of the jaw
+  double chin_reach = 1.0;  ///< depth of the chin before the hinge
+  double chin_fall = 0.0;   ///< height of the hinge above the chin
   double eye_radius = 0.0;
   std::array<Vec3, 2> eye_centres{};
-  FaceLimits limits{};        ///< of this head: already scaled
+  FaceLimits limits{};                                         ///< of this head: already scaled
   double eye_scale = 1.0, mouth_scale = 1.0, jaw_scale = 1.0;  ///< this head's sizes over the adult's
-  std::vector<Vec2> brow_outline;    ///< of the left brow at rest
+  std::vector<Vec2> brow_outline;                              ///< of the left brow at rest
   double brow_inner = 0.0, brow_outer = 0.0;  ///< distances of its ends from the middle: pivots of its turn
 };
 

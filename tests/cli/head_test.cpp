@@ -42,14 +42,15 @@ TEST_F(HeadCommand, ListsLandmarksInTheFilesUnits) {
 }
 
 TEST_F(HeadCommand, SavedMeasuresMakeTheSameHead) {
-  json({"head", "--level", "0", "--age", "0.4", "--skull", "round=0.5", "--measure", "nose_width=0.3", "--save-measures",
-        "m.json", "-o", "one.glb"});
+  json({"head", "--level", "0", "--age", "0.4", "--skull", "round=0.5", "--measure", "nose_width=0.3",
+        "--save-measures", "m.json", "-o", "one.glb"});
   json({"head", "--level", "0", "--measures", "m.json", "-o", "other.glb"});
   EXPECT_EQ(read("one.glb"), read("other.glb"));
 }
 
 TEST_F(HeadCommand, ExpressionsAreShownAndHeldMovesReported) {
-  const nlohmann::json made = json({"head", "--level", "1", "--expression", "laugh=3", "--region", "eyeLeft=90,0", "-o", "laugh.glb"});
+  const nlohmann::json made =
+      json({"head", "--level", "1", "--expression", "laugh=3", "--region", "eyeLeft=90,0", "-o", "laugh.glb"});
   EXPECT_EQ(made.at("morph_targets"), 0);
   bool jaw = false, gaze = false;
   for (const nlohmann::json& held : made.at("held")) {

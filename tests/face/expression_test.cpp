@@ -29,23 +29,22 @@ TEST_P(Directions, AreTheTables) {
 
 INSTANTIATE_TEST_SUITE_P(
     Table, Directions,
-    testing::Values(
-        Direction{"smile", C::upper_lid_left, 1}, Direction{"smile", C::upper_lip_up, 1},
-        Direction{"smile", C::corner_left_right, 1}, Direction{"smile", C::corner_right_right, -1},
-        Direction{"smile", C::corner_left_up, 1}, Direction{"laugh", C::upper_lid_left, 1},
-        Direction{"laugh", C::upper_lip_up, 1}, Direction{"laugh", C::lower_lip_up, -1},
-        Direction{"laugh", C::corner_left_right, 1}, Direction{"laugh", C::corner_left_up, 1},
-        Direction{"anger", C::brow_left_right, -1}, Direction{"anger", C::brow_right_right, 1},
-        Direction{"anger", C::brow_left_turn, 1}, Direction{"anger", C::brow_right_turn, -1},
-        Direction{"anger", C::upper_lip_up, 1}, Direction{"surprise", C::brow_left_up, 1},
-        Direction{"surprise", C::upper_lid_left, -1}, Direction{"shout", C::brow_left_up, 1},
-        Direction{"shout", C::upper_lip_up, 1}, Direction{"shout", C::lower_lip_up, -1},
-        Direction{"shout", C::corner_left_right, -1}, Direction{"shout", C::jaw_drop, 1},
-        Direction{"fear", C::brow_left_up, 1}, Direction{"fear", C::upper_lid_left, -1},
-        Direction{"fear", C::upper_lip_up, 1}, Direction{"fear", C::lower_lip_up, -1}, Direction{"fear", C::jaw_drop, 1},
-        Direction{"sadness", C::brow_left_right, -1}, Direction{"sadness", C::upper_lid_left, 1},
-        Direction{"sadness", C::corner_left_right, 1}, Direction{"sadness", C::corner_left_up, -1},
-        Direction{"disgust", C::upper_lip_up, 1}));
+    testing::Values(Direction{"smile", C::upper_lid_left, 1}, Direction{"smile", C::upper_lip_up, 1},
+                    Direction{"smile", C::corner_left_right, 1}, Direction{"smile", C::corner_right_right, -1},
+                    Direction{"smile", C::corner_left_up, 1}, Direction{"laugh", C::upper_lid_left, 1},
+                    Direction{"laugh", C::upper_lip_up, 1}, Direction{"laugh", C::lower_lip_up, -1},
+                    Direction{"laugh", C::corner_left_right, 1}, Direction{"laugh", C::corner_left_up, 1},
+                    Direction{"anger", C::brow_left_right, -1}, Direction{"anger", C::brow_right_right, 1},
+                    Direction{"anger", C::brow_left_turn, 1}, Direction{"anger", C::brow_right_turn, -1},
+                    Direction{"anger", C::upper_lip_up, 1}, Direction{"surprise", C::brow_left_up, 1},
+                    Direction{"surprise", C::upper_lid_left, -1}, Direction{"shout", C::brow_left_up, 1},
+                    Direction{"shout", C::upper_lip_up, 1}, Direction{"shout", C::lower_lip_up, -1},
+                    Direction{"shout", C::corner_left_right, -1}, Direction{"shout", C::jaw_drop, 1},
+                    Direction{"fear", C::brow_left_up, 1}, Direction{"fear", C::upper_lid_left, -1},
+                    Direction{"fear", C::upper_lip_up, 1}, Direction{"fear", C::lower_lip_up, -1},
+                    Direction{"fear", C::jaw_drop, 1}, Direction{"sadness", C::brow_left_right, -1},
+                    Direction{"sadness", C::upper_lid_left, 1}, Direction{"sadness", C::corner_left_right, 1},
+                    Direction{"sadness", C::corner_left_up, -1}, Direction{"disgust", C::upper_lip_up, 1}));
 
 TEST(Expressions, LaughGoesFurtherThanSmile) {
   const FaceChannels smile = of("smile", true), laugh = of("laugh", true);
@@ -87,9 +86,9 @@ struct Uses {
 
 TEST(Expressions, StrictUseTheRegionsOfTheTableAndNoOther) {
   // Surprise and shout share a column: together they use it all.
-  const Uses table[] = {{"smile", false, true, true, true, false},  {"laugh", false, true, true, true, false},
-                        {"anger", true, false, true, false, false}, {"surprise", true, true, true, true, true},
-                        {"shout", true, true, true, true, true},    {"fear", true, true, true, false, true},
+  const Uses table[] = {{"smile", false, true, true, true, false},   {"laugh", false, true, true, true, false},
+                        {"anger", true, false, true, false, false},  {"surprise", true, true, true, true, true},
+                        {"shout", true, true, true, true, true},     {"fear", true, true, true, false, true},
                         {"sadness", true, true, false, true, false}, {"doubt", true, true, true, true, false}};
   for (const Uses& row : table) {
     const FaceChannels c = of(row.expression, true);
@@ -126,7 +125,8 @@ TEST(Expressions, NoTwoAreAlike) {
   // Root mean square over the vertices that any of them moves, drawing units: 0.01 is a third of a percent of the
   // head's height, a lid or a corner that has plainly moved.
   constexpr double margin = 0.01;
-  const char* names[] = {"neutral", "smile", "laugh", "anger", "surprise", "shout", "fear", "sadness", "doubt", "disgust"};
+  const char* names[] = {"neutral", "smile", "laugh",   "anger", "surprise",
+                         "shout",   "fear",  "sadness", "doubt", "disgust"};
   const Head& head = head_of("adult");
   std::vector<std::vector<Vec3>> posed;
   for (const char* name : names) posed.push_back(shown(head, name, 1.0));

@@ -39,7 +39,8 @@ int turned_over(const Head& head, const std::vector<Vec3>& posed) {
   const std::vector<Vec3> normals = head_normals(head, posed);
   int count = 0;
   for (const HeadTriangle& t : head.triangles) {
-    if (t.material != HeadMaterial::skin && t.material != HeadMaterial::lip && t.material != HeadMaterial::lash) continue;
+    if (t.material != HeadMaterial::skin && t.material != HeadMaterial::lip && t.material != HeadMaterial::lash)
+      continue;
     const Vec3 face = glm::cross(posed[t.corners[1]] - posed[t.corners[0]], posed[t.corners[2]] - posed[t.corners[0]]);
     bool away = true;
     for (const std::uint32_t v : t.corners) away = away && glm::dot(face, normals[v]) < 0.0;
@@ -151,7 +152,8 @@ TEST(FaceRegions, AShutLidComesDownAndCornersStay) {
   double highest_upper = -INFINITY;
   for (std::size_t v = 0; v < head.skin_vertices; ++v) {
     const FaceVertex& vertex = head.face.vertices[v];
-    if (vertex.eye == 0 && vertex.close_upper > 0.0) highest_upper = std::max(highest_upper, posed[v].y - head.positions[v].y);
+    if (vertex.eye == 0 && vertex.close_upper > 0.0)
+      highest_upper = std::max(highest_upper, posed[v].y - head.positions[v].y);
     if (vertex.close_upper == 0.0) {
       EXPECT_LT(glm::distance(posed[v], head.positions[v]), 1e-12) << v;
     }
@@ -213,8 +215,8 @@ TEST(FaceRegions, NormalsForTheComputePassAreThoseOfTheSurface) {
   const Head& head = head_of("adult", "", 2);
   for (const std::string& name : emotions) {
     const WeighedExpression one[] = {{find_expression(name).value(), 1.0}};
-    const FaceState state = face_state(
-        head.face, hold_at_limits(head.face, for_head(head.face, mix_expressions(one, false))).channels);
+    const FaceState state =
+        face_state(head.face, hold_at_limits(head.face, for_head(head.face, mix_expressions(one, false))).channels);
     std::vector<Vec3> posed(head.positions.size()), normals(posed.size());
     const FaceJob job{head.face, state, head.positions, head.normals, posed, normals};
     ASSERT_TRUE(job.validate());
@@ -235,8 +237,9 @@ TEST(FaceJob, SaysWhichSpanIsShort) {
   EXPECT_NE((FaceJob{head.face, state, few, {}, posed, {}}.validate().error().message.find("rest")), std::string::npos);
   EXPECT_NE((FaceJob{head.face, state, head.positions, {}, few, {}}.validate().error().message.find("posed")),
             std::string::npos);
-  EXPECT_NE((FaceJob{head.face, state, head.positions, few, posed, posed}.validate().error().message.find("rest_normals")),
-            std::string::npos);
+  EXPECT_NE(
+      (FaceJob{head.face, state, head.positions, few, posed, posed}.validate().error().message.find("rest_normals")),
+      std::string::npos);
 }
 
 }  // namespace

@@ -44,11 +44,19 @@ TEST(HeadShapes, LinearLidsNeverTouchTheEyeball) {
   }
 }
 
+TEST(HeadShapes, VerticesHaveFewDeltas) {
+  // What engine/definitions.md promises the compute pass.
+  const FaceRig& face = head_of("adult", "", 2).face;
+  std::size_t most = 0;
+  for (std::size_t v = 0; v < face.vertices.size(); ++v)
+    most = std::max<std::size_t>(most, face.first[v + 1] - face.first[v]);
+  EXPECT_LE(most, 16u);
+  EXPECT_LT(double(face.deltas.size()) / double(face.vertices.size()), 4.0);
+}
+
 TEST(HeadShapes, HalvesMakeTheWhole) {
   const Head& head = head_of("adult");
-  const auto find = [&](const std::string& name) {
-    return *std::ranges::find(shapes(), name, &HeadShape::name);
-  };
+  const auto find = [&](const std::string& name) { return *std::ranges::find(shapes(), name, &HeadShape::name); };
   const HeadShape left = find("noseSneerLeft"), right = find("noseSneerRight"), both = find("nose+");
   for (std::size_t v = 0; v < head.positions.size(); ++v) {
     const Vec3 sum = left.positions[v] + right.positions[v] - head.positions[v];
