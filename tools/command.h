@@ -92,5 +92,6 @@ void add_bench(CLI::App& program, Run& run);
 void add_muscles(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_figure(CLI::App& program, Run& run);
+void add_fit_skin(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

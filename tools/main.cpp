@@ -67,6 +67,7 @@ int run_program(int count, char** words) {
   add_muscles(program, run);
   add_compare(program, run);
   add_figure(program, run);
+  add_fit_skin(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {
