@@ -65,7 +65,9 @@ void expect_valid(const Influences& influences, std::size_t most) {
     for (std::uint32_t i = influences.first[v]; i < influences.first[v + 1]; ++i) {
       const Influence& influence = influences.entries[i];
       EXPECT_GT(influence.weight, 0.0);
-      if (i > influences.first[v]) EXPECT_LE(influence.weight, influences.entries[i - 1].weight);
+      if (i > influences.first[v]) {
+        EXPECT_LE(influence.weight, influences.entries[i - 1].weight);
+      }
       sum += influence.weight;
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
@@ -179,20 +181,20 @@ TEST(SkinFit, SaysWhatIsWrong) {
     return ok ? std::string() : ok.error().message;
   };
   EXPECT_EQ(message(example.job()), "");
-  SkinFitJob job = example.job();
-  job.influences = 9;
-  EXPECT_NE(message(job).find("9 influences"), std::string::npos);
-  job = example.job();
-  job.posed = job.posed.first(7);
-  EXPECT_NE(message(job).find("7 posed vertices"), std::string::npos);
+  SkinFitJob crowded = example.job();
+  crowded.influences = 9;
+  EXPECT_NE(message(crowded).find("9 influences"), std::string::npos);
+  SkinFitJob short_of = example.job();
+  short_of.posed = short_of.posed.first(7);
+  EXPECT_NE(message(short_of).find("7 posed vertices"), std::string::npos);
   example.posed[5].y = NAN;
   EXPECT_NE(message(example.job()).find("pose 1, vertex 2"), std::string::npos);
   const BonePoses none;
   EXPECT_NE(message({example.shape.positions, {}, {}, none}).find("no bone"), std::string::npos);
   const Example single(1);
-  job = single.job();
-  job.influences = 5;
-  EXPECT_NE(message(job).find("too few"), std::string::npos);
+  SkinFitJob too_few = single.job();
+  too_few.influences = 5;
+  EXPECT_NE(message(too_few).find("too few"), std::string::npos);
 }
 
 TEST(SkinFit, BonesThatMoveAlikeAreNamed) {
