@@ -21,6 +21,7 @@ constexpr double least_slope = 1e-9;
 
 /// A set of bones is exchanged only for one that is better by this share, so that rounding decides nothing.
 constexpr double worth_an_exchange = 1e-3;
+constexpr std::size_t most_exchanges = 8;  ///< tried a vertex
 
 }  // namespace
 
@@ -33,6 +34,7 @@ VertexFit::VertexFit(const BonePoses& poses)
       columns_(poses.bones, Eigen::VectorXd(3 * poses.poses)),
       lone_errors_(poses.bones),
       there_(poses.bones),
+      tried_(poses.bones),
       differences_(3 * poses.poses, Support::most) {}
 
 void VertexFit::begin(const Vec3& rest, std::span<const Vec3> posed) {
@@ -117,7 +119,7 @@ std::uint32_t VertexFit::steepest(const Support& support, double& slope) {
   std::uint32_t best = 0;
   slope = 0.0;
   for (std::uint32_t b = 0; b < poses_.bones; ++b) {
-    if (support.has(b)) continue;
+    if (tried_[b] || support.has(b)) continue;
     const double along = column(b).dot(r) - support.error;
     if (along >= slope || along > -least_slope * std::sqrt(lone_errors_[b] * support.error)) continue;
     slope = along;
@@ -136,21 +138,26 @@ Support VertexFit::best_over_all() {
   }
   support.add(first, 1.0);
   support.error = lone_errors_[first];
-  for (std::size_t round = 0; round < 4 * Support::most && support.size < Support::most; ++round) {
+  std::fill(tried_.begin(), tried_.end(), 0);
+  for (std::size_t round = 0; round < 8 * Support::most && support.size < Support::most; ++round) {
     double slope = 0.0;
     const std::uint32_t next = steepest(support, slope);
     if (slope == 0.0) break;
     Support grown = support;
     grown.add(next, 0.0);
     settle(grown);
-    if (!(grown.error < support.error * (1.0 - 1e-9))) break;
+    // Rounding can send the newcomer away at once; then the next best gets its turn.
+    tried_[next] = 1;
+    if (!(grown.error < support.error * (1.0 - 1e-9))) continue;
     support = grown;
+    std::fill(tried_.begin(), tried_.end(), 0);
   }
   return support;
 }
 
 void VertexFit::exchange(Support& support) {
-  for (int round = 0; round < 4; ++round) {
+  std::fill(tried_.begin(), tried_.end(), 0);
+  for (std::size_t tries = 0; tries < most_exchanges; ++tries) {
     double slope = 0.0;
     const std::uint32_t next = steepest(support, slope);
     if (slope == 0.0) return;
@@ -161,8 +168,10 @@ void VertexFit::exchange(Support& support) {
       settle(other);
       if (other.error < best.error) best = other;
     }
-    if (!(best.error < support.error * (1.0 - worth_an_exchange))) return;
+    tried_[next] = 1;
+    if (!(best.error < support.error * (1.0 - worth_an_exchange))) continue;
     support = best;
+    std::fill(tried_.begin(), tried_.end(), 0);
   }
 }
 

@@ -15,7 +15,7 @@ namespace sinew {
 
 /// Some bones of one vertex with their weights, in no order.
 struct Support {
-  static constexpr std::size_t most = 12;  ///< more than are ever kept: the choice among them comes last
+  static constexpr std::size_t most = 32;  ///< more than are ever kept: the choice among them comes last
 
   std::size_t size = 0;
   std::array<std::uint32_t, most> bone{};
@@ -78,6 +78,7 @@ class VertexFit {
   std::vector<Eigen::VectorXd> columns_;  ///< [bones], computed when they are asked for
   std::vector<double> lone_errors_;       ///< [bones] gamma, of the columns that are there
   std::vector<char> there_;               ///< [bones]
+  std::vector<char> tried_;               ///< [bones] in vain, from the support of the moment
   Eigen::MatrixXd differences_;           ///< [3 * poses, Support::most] work space
 };
 
