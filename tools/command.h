@@ -94,5 +94,6 @@ void add_compare(CLI::App& program, Run& run);
 void add_figure(CLI::App& program, Run& run);
 void add_motion(CLI::App& program, Run& run);
 void add_head(CLI::App& program, Run& run);
+void add_fit_skin(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

@@ -70,6 +70,7 @@ int run_program(int count, char** words) {
   add_figure(program, run);
   add_motion(program, run);
   add_head(program, run);
+  add_fit_skin(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {
