@@ -15,11 +15,10 @@ using Couplings = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_
 
 /// A segment's part of the normal equations, its bubbles eliminated.
 struct Element {
-  SegmentMatrix basis;                ///< to Legendre's coefficients
-  Eigen::LLT<SegmentMatrix> bubbles;  ///< of the bubbles' own block, penalty included
-  Couplings carried;                  ///< bubbles' block^-1 times their coupling to the ends
-  SegmentVector free;                 ///< the bubbles where all ends are 0
-  Ends matrix;                        ///< what is left for the ends
+  SegmentMatrix basis;  ///< to Legendre's coefficients
+  Couplings carried;    ///< bubbles' block^-1 times their coupling to the ends
+  SegmentVector free;   ///< the bubbles where all ends are 0
+  Ends matrix;          ///< what is left for the ends
   Eigen::Vector4d right;
 };
 
@@ -35,9 +34,9 @@ Element element(const SegmentMatrix& gram, const SegmentVector& moment, int degr
   e.matrix = whole.topLeftCorner<4, 4>();
   e.right = right.head<4>();
   if (inner == 0) return e;
-  e.bubbles.compute(whole.bottomRightCorner(inner, inner));
-  e.carried = e.bubbles.solve(whole.bottomLeftCorner(inner, 4));
-  e.free = e.bubbles.solve(right.tail(inner));
+  const Eigen::LLT<SegmentMatrix> bubbles(whole.bottomRightCorner(inner, inner));
+  e.carried = bubbles.solve(whole.bottomLeftCorner(inner, 4));
+  e.free = bubbles.solve(right.tail(inner));
   e.matrix.noalias() -= whole.topRightCorner(4, inner) * e.carried;
   e.right.noalias() -= whole.topRightCorner(4, inner) * e.free;
   return e;

@@ -84,7 +84,8 @@ TEST_F(MotionCommand, GoesFromAFileToAPlot) {
 TEST_F(MotionCommand, SaysWhatIsWrongAndLeavesTheLibraryAsItWas) {
   motion({"import", "nod.bvh"});
   write("broken.bvh", "HIERARCHY\nROOT Hips\n{\n OFFSET 0 1\n");
-  write("good.bvh", std::string(read("nod.bvh").begin(), read("nod.bvh").end()));
+  const Bytes nod = read("nod.bvh");
+  write("good.bvh", std::string(nod.begin(), nod.end()));
   EXPECT_EQ(code({"import", "good.bvh", "broken.bvh"}), 3);
   EXPECT_EQ(code({"import", "good.bvh", "nod.bvh"}), 3);
   EXPECT_EQ(code({"fit", "node"}), 3);

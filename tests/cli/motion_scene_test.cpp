@@ -105,7 +105,7 @@ TEST_F(MotionScene, BadMotionsAreRefusedWithTheirPlace) {
   refused(R"("cut.bvh")", "cut.bvh:");
   refused(R"({"file": "cut.bvh", "speed": 0})", "/characters/0/motion/speed");
   refused(R"({"start": 3})", "/characters/0/motion");
-  refused(R"("laugh")", "laugh.bvh");
+  refused(R"("laugh")", "/characters/0/motion: ");
 }
 
 }  // namespace
