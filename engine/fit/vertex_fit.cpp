@@ -238,7 +238,7 @@ bool VertexFit::undetermined(const Support& support) {
   auto differences = differences_.leftCols(others);
   for (Eigen::Index i = 0; i < others; ++i) differences.col(i) = column(support.bone[i + 1]) - base;
   const SmallMatrix normal = differences.transpose() * differences;
-  const auto pivots = normal.ldlt().vectorD();
+  const Eigen::VectorXd pivots = normal.ldlt().vectorD();
   return pivots.minCoeff() <= 1e-12 * pivots.maxCoeff();
 }
 
