@@ -56,6 +56,9 @@ Model read_model(const std::filesystem::path& file) {
 }
 
 TEST(RoundTrip, FindsTheWeightsOfAFigure) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: minutes under the sanitizers, where smaller cases run";
+#endif
   BodyOptions options;
   options.joints = 68;
   const auto model = build_figure(options);
@@ -69,6 +72,9 @@ TEST(RoundTrip, FindsTheWeightsOfCesiumMan) {
 }
 
 TEST(RoundTrip, FindsTheWeightsOfAMakeHumanCharacter) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: minutes under the sanitizers, where smaller cases run";
+#endif
   SINEW_ASSETS_OR_SKIP(assets);
   expect_found(read_model(assets / "characters/makehuman/mh_male_game.glb"));
 }

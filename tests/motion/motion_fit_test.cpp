@@ -11,6 +11,9 @@ namespace sinew {
 namespace {
 
 TEST(MotionFit, HoldsHalfADegreeOfCapturesInFewNumbers) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "SKIPPED: minutes under the sanitizers, where smaller cases run";
+#endif
   SINEW_ASSETS_OR_SKIP(assets);
   for (const char* file : {"01_01.bvh", "cmu_12_01_walk.bvh", "cmu_asfamc/02_01.amc"}) {
     const auto motion = read_motion(assets / "motions" / file);
