@@ -108,7 +108,7 @@ void expect_sound(const MeshFile& mesh, const nlohmann::json& counts) {
 
 TEST_F(Export, EveryFormatHoldsTheSameMesh) {
   const auto counts = json({"info", arm_scene});
-  for (const char* name : {"x.obj", "x.ply", "x.glb"}) write_mesh({"--frame", "40", "-o", name});
+  for (const char* name : {"x.obj", "x.ply", "x.glb"}) write_mesh({arm_scene, "--frame", "40", "-o", name});
   const MeshFile obj = read_obj(read("x.obj")), ply = read_ply(read("x.ply"));
   expect_sound(obj, counts);
   expect_sound(ply, counts);
@@ -177,7 +177,7 @@ TEST_F(Export, BakedFileHoldsEveryFrame) {
 }
 
 TEST_F(Export, RigIsTheModelAgain) {
-  write_mesh({"--rig", "-o", "rig.glb"});
+  write_mesh({arm_scene, "--rig", "-o", "rig.glb"});
   const Model rig = model("rig.glb");
   EXPECT_TRUE(rig.problems.empty()) << rig.problems.front();
   const auto scene = json({"info", arm_scene});
