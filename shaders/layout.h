@@ -129,9 +129,7 @@ struct FrameUniforms {
   mat4 light_projection;    // world to the shadow map's clip space
   mat4 contact_projection;  // world to the contact map's clip space
   vec4 eye;                 // world position of the camera, unused
-  vec4 right;               // the camera's axes in the world
-  vec4 up;
-  vec4 back;
+  vec4 back;                // the camera's axis, away from what it sees; unused
   vec4 key;          // directions towards the lights in the world, unit length; unused
   vec4 fill;
   vec4 rim;
@@ -159,8 +157,8 @@ struct MaterialUniforms {
 #ifdef __cplusplus
 static_assert(sizeof(DeformPush) == 4);
 static_assert(sizeof(MuscleWord) == 16);
-static_assert(sizeof(FrameUniforms) == 384 && offsetof(FrameUniforms, eye) == 192 &&
-              offsetof(FrameUniforms, picture) == 368);
+static_assert(sizeof(FrameUniforms) == 352 && offsetof(FrameUniforms, eye) == 192 &&
+              offsetof(FrameUniforms, picture) == 336);
 static_assert(sizeof(MaterialUniforms) == 224 && offsetof(MaterialUniforms, places) == 64);
 }  // namespace sinew::layout
 #endif

@@ -46,11 +46,12 @@ std::vector<double> weights_of(const CharacterMesh& mesh, int node) {
 /// lacks the joint. Fails as bad_input where none has it.
 Result<std::vector<std::vector<double>>> shown_weights(const Stage& stage, const LookOptions& look) {
   std::vector<std::vector<double>> shown(stage.characters.size());
-  if (look.shading.value_or(stage.scene.look.shading) != Shading::weights) return shown;
+  const bool asked = look.shading.value_or(stage.scene.look.shading) == Shading::weights;
   const std::string& joint = look.joint.empty() ? stage.scene.look.joint : look.joint;
-  if (joint.empty())
+  if (joint.empty() && asked)
     return failure(ErrorKind::usage,
                    "--shading weights: whose? Name a joint with --joint, such as --joint leftLowerArm");
+  if (joint.empty()) return shown;
   std::optional<Error> unknown;
   bool found = false;
   for (std::size_t i = 0; i < stage.characters.size(); ++i) {
@@ -58,7 +59,7 @@ Result<std::vector<std::vector<double>>> shown_weights(const Stage& stage, const
     const auto node = find_joint(*character.model, character.humanoid, joint);
     if (!node) unknown = node.error();
     found = found || node;
-    shown[i] = weights_of(character.mesh, node ? *node : -1);
+    if (asked) shown[i] = weights_of(character.mesh, node ? *node : -1);
   }
   if (!found) return bad_input("--joint {}: {}", joint, unknown ? unknown->message : "the scene has no character");
   return shown;

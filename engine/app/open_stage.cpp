@@ -224,14 +224,13 @@ Result<void> prepare_model(StagedCharacter& character, const SceneOptions& optio
 
 Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
                      std::vector<std::string>& problems) {
-  const std::filesystem::path library = opened.scene.library.value_or(options.library);
   const bool bare_model = opened.bare_model;
   auto bytes = std::exchange(opened.model_bytes, std::nullopt);
   if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
   std::vector<std::string> found = character.model->problems;
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (const auto& use = character.scene.motion) {
-    auto motion = stage_motion(*use, library, *character.model, character.humanoid, found);
+    auto motion = stage_motion(*use, options.library, *character.model, character.humanoid, found);
     if (!motion) return place.at("/motion", std::move(motion));
     character.motion = std::move(*motion);
   }
@@ -303,16 +302,18 @@ Result<Stage> open_stage(const SceneOptions& options) {
   if (!opened) return pass_on(std::move(opened));
   Stage stage;
   stage.source = options.scene.empty() ? "the embedded scene" : options.scene;
-  stage.scene = opened->scene;
+  stage.scene = std::move(opened->scene);
   stage.is_scene = !opened->bare_model;
   stage.strength = options.strength;
   if (options.fps) stage.scene.fps = *options.fps;
+  SceneOptions with_library = options;
+  if (stage.scene.library) with_library.library = *stage.scene.library;
   for (const Character& character : stage.scene.characters) {
     note_unsupported(character, stage.problems);
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
-    if (auto ok = prepare(staged, options, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
+    if (auto ok = prepare(staged, with_library, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
   }
   if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
   stage.range = stage.scene.frames.value_or(natural_range(stage));

@@ -109,17 +109,10 @@ Result<Model> mirrored_half_model(const std::filesystem::path& file) {
     if (mirror[v] == v) n = unit_or({0.0, n.y, n.z}, n);
     if (mirror[v] != v) primitive.normals[mirror[v]] = {-n.x, n.y, n.z};
   }
-  Model model;
   Mesh mesh;
   mesh.name = "head";
   mesh.primitives.push_back(std::move(primitive));
-  model.meshes.push_back(std::move(mesh));
-  Node node;
-  node.name = "head";
-  node.mesh = 0;
-  model.nodes.push_back(node);
-  model.roots = {0};
-  return model;
+  return single_mesh_model(std::move(mesh));
 }
 
 }  // namespace sinew

@@ -73,7 +73,7 @@ Model head_model(const Head& head, const HeadShape* base, std::span<const HeadSh
   const std::vector<Vec3>& positions = base ? base->positions : head.positions;
   const std::vector<Vec3>& normals = base ? base->normals : head.normals;
   const double metres = head.metres();
-  Model model;
+  std::vector<Material> materials;
   Mesh mesh;
   mesh.name = "head";
   const auto parts = parts_of(head);
@@ -96,15 +96,11 @@ Model head_model(const Head& head, const HeadShape* base, std::span<const HeadSh
     material.base_colour =
         Vec4(brow ? glm::mix(looks[m].colour, downy_brow, head.measures.skull_infant) : looks[m].colour, 1.0);
     material.roughness = looks[m].roughness;
-    model.materials.push_back(material);
+    materials.push_back(material);
   }
   mesh.morph_weights.assign(shapes.size(), 0.0);
-  model.meshes.push_back(std::move(mesh));
-  Node node;
-  node.name = "head";
-  node.mesh = 0;
-  model.nodes.push_back(node);
-  model.roots = {0};
+  Model model = single_mesh_model(std::move(mesh));
+  model.materials = std::move(materials);
   return model;
 }
 

@@ -164,9 +164,7 @@ void create_chunks(GpuDeformer::Impl& d, std::size_t size) {
           vk::BufferViewCreateInfo({}, *d.tangent_words.buffer, vk::Format::eR32G32B32A32Sfloat, first_tangent,
                                    d.has_tangents ? chunk.vertices * tangent_bytes : VK_WHOLE_SIZE));
     }
-    const vk::DescriptorSetAllocateInfo allocate(*d.descriptor_pool, *d.set_layout);
-    // The pool owns the sets and frees them with itself.
-    chunk.set = (*d.vulkan->device).allocateDescriptorSets(allocate, *d.vulkan->device.getDispatcher()).front();
+    chunk.set = d.vulkan->allocate_sets(d.descriptor_pool, std::array{*d.set_layout}).front();
     write_set(d, chunk, first);
   }
 }

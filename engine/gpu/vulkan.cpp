@@ -100,4 +100,10 @@ vk::raii::ShaderModule VulkanDevice::shader(std::span<const uint32_t> code) {
   return {device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data())};
 }
 
+std::vector<vk::DescriptorSet> VulkanDevice::allocate_sets(const vk::raii::DescriptorPool& from,
+                                                           std::span<const vk::DescriptorSetLayout> layouts) const {
+  const vk::DescriptorSetAllocateInfo info(*from, static_cast<uint32_t>(layouts.size()), layouts.data());
+  return (*device).allocateDescriptorSets(info, *device.getDispatcher());
+}
+
 }  // namespace sinew

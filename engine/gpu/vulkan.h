@@ -69,6 +69,10 @@ struct VulkanDevice {
   void run(const std::function<void(vk::raii::CommandBuffer&)>& record);
 
   vk::raii::ShaderModule shader(std::span<const uint32_t> code);
+
+  /// One set a layout, owned by the pool, which frees them with itself.
+  std::vector<vk::DescriptorSet> allocate_sets(const vk::raii::DescriptorPool& from,
+                                               std::span<const vk::DescriptorSetLayout> layouts) const;
 };
 
 /// Runs a call that may throw vk::SystemError and turns what it throws into an Error of kind device_failed.

@@ -115,4 +115,7 @@ struct Model {
   std::vector<std::string> problems;     ///< what was repaired, cut or left out on reading, for people
 };
 
+/// A model of one mesh on one node, both of the mesh's name; materials are still to be added.
+Model single_mesh_model(Mesh mesh);
+
 }  // namespace sinew

@@ -78,7 +78,7 @@ vk::raii::Pipeline create(VulkanDevice& vulkan, vk::PipelineLayout layout, const
 }
 
 Shader vertex_shader(const SurfaceLook& look) {
-  if (look.pass == DrawPass::light || look.pass == DrawPass::below)
+  if (is_depth_only(look.pass))
     return look.alpha == layout::alpha_mask ? Shader::masked_depth_vertex : Shader::depth_vertex;
   return look.rich ? Shader::surface_rich_vertex : Shader::surface_vertex;
 }
@@ -182,8 +182,7 @@ vk::Pipeline DrawPipelines::surface(const SurfaceLook& look) {
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), values.data());
   PipelineParts parts;
   parts.vertex = vertex_shader(look);
-  const bool offscreen = look.pass == DrawPass::light || look.pass == DrawPass::below;
-  parts.samples = offscreen ? vk::SampleCountFlagBits::e1 : samples_;
+  parts.samples = is_depth_only(look.pass) ? vk::SampleCountFlagBits::e1 : samples_;
   parts.fragment = fragment_shader(look, parts.samples != vk::SampleCountFlagBits::e1);
   parts.constants = &constants;
   const bool positions_only = parts.vertex == Shader::depth_vertex, plain = parts.vertex == Shader::surface_vertex;

@@ -19,6 +19,9 @@ enum class DrawPass {
   below,   ///< depth from below the floor
 };
 
+/// Whether a pass draws depth alone, to a map of its own, for shadows.
+constexpr bool is_depth_only(DrawPass pass) { return pass == DrawPass::light || pass == DrawPass::below; }
+
 /// A pipeline of a surface: pass, look, and what of the material its shaders do.
 struct SurfaceLook {
   DrawPass pass = DrawPass::opaque;

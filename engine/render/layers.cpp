@@ -14,11 +14,7 @@ TransparentLayers TransparentLayers::create(VulkanDevice& vulkan, const Target& 
   layers.sampler_ = vk::raii::Sampler(vulkan.device, vk::SamplerCreateInfo());
   const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, 2 * (count + 1));
   layers.pool_ = vk::raii::DescriptorPool(vulkan.device, vk::DescriptorPoolCreateInfo({}, count + 1, size));
-  const std::vector<vk::DescriptorSetLayout> set_layouts(count + 1, *layout);
-  // The pool owns the sets and frees them with itself.
-  layers.sets_ = (*vulkan.device)
-                     .allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*layers.pool_, set_layouts),
-                                             *vulkan.device.getDispatcher());
+  layers.sets_ = vulkan.allocate_sets(layers.pool_, std::vector(count + 1, *layout));
   for (uint32_t i = 0; i <= count; ++i) {
     const DeviceImage& last = i == 0 ? layers.nearest_ : layers.depths_[i - 1];
     const auto image = [&](const DeviceImage& depth) {

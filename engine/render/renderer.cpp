@@ -37,9 +37,7 @@ layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, con
   u.view_projection = Mat4f(camera.view_projection(double(target.width) / target.height));
   u.light_projection = Mat4f(studio.light_projection);
   u.contact_projection = Mat4f(studio.contact_projection);
-  u.eye = word(camera.eye, 1.0);
-  u.right = word(camera.right);
-  u.up = word(camera.up);
+  u.eye = word(camera.eye);
   u.back = word(camera.back);
   u.key = word(studio.key);
   u.fill = word(studio.fill);
@@ -66,7 +64,7 @@ bool has_materials(Shading shading) { return shading == Shading::lit || shading 
 /// Whether a part of this material is drawn in a pass.
 bool takes_part(DrawPass pass, uint32_t alpha) {
   const bool blended = alpha == layout::alpha_blend;
-  if (pass == DrawPass::light || pass == DrawPass::below) return true;
+  if (is_depth_only(pass)) return true;
   return pass == DrawPass::peel || pass == DrawPass::layer || pass == DrawPass::behind ? blended : !blended;
 }
 
@@ -122,11 +120,7 @@ void Renderer::Impl::create(const RendererOptions& options) {
   const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2),
                          vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, 4)};
   descriptor_pool = vk::raii::DescriptorPool(vulkan->device, vk::DescriptorPoolCreateInfo({}, 2, sizes));
-  // The pool owns the sets and frees them with itself.
-  const std::array set_layouts{*layouts.frame, *layouts.frame};
-  const auto sets = (*vulkan->device)
-                        .allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*descriptor_pool, set_layouts),
-                                                *vulkan->device.getDispatcher());
+  const auto sets = vulkan->allocate_sets(descriptor_pool, std::array{*layouts.frame, *layouts.frame});
   frame_set = sets[0];
   floor_set = sets[1];
   write_frame_set(frame_set,
@@ -188,7 +182,7 @@ void Renderer::Impl::record_shadows(const vk::raii::CommandBuffer& commands, con
 void Renderer::Impl::record_parts(const vk::raii::CommandBuffer& commands, DrawPass pass, const Shot& shot,
                                   vk::DescriptorSet layer_set) {
   constexpr auto graphics = vk::PipelineBindPoint::eGraphics;
-  const bool depth_only = pass == DrawPass::light || pass == DrawPass::below;
+  const bool depth_only = is_depth_only(pass);
   commands.bindDescriptorSets(graphics, *layouts.surface, 0, frame_set, {});
   if (layer_set) commands.bindDescriptorSets(graphics, *layouts.surface, 2, layer_set, {});
   for (const Character& character : characters) {

@@ -6,22 +6,28 @@ namespace {
 // The shade is blurred so much that fewer points carry it.
 constexpr uint32_t light_side = 1024, contact_side = 128, shade_side = 80;
 
-}  // namespace
-
-DepthMap DepthMap::create(VulkanDevice& vulkan, uint32_t side) {
-  using Usage = vk::ImageUsageFlagBits;
-  DepthMap map;
+/// A square map, cleared and ready to be read.
+template <class Map>
+Map create_map(VulkanDevice& vulkan, uint32_t side, vk::Format format, vk::ImageUsageFlags drawn_to,
+               vk::ImageAspectFlags aspect) {
+  Map map;
   map.side = side;
-  map.image =
-      vulkan.create_image(vk::ImageCreateInfo({}, vk::ImageType::e2D, Target::depth_format, vk::Extent3D(side, side, 1),
-                                              1, 1, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                              Usage::eDepthStencilAttachment | Usage::eSampled),
-                          vk::ImageAspectFlagBits::eDepth);
+  map.image = vulkan.create_image(vk::ImageCreateInfo({}, vk::ImageType::e2D, format, vk::Extent3D(side, side, 1), 1, 1,
+                                                      vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                                                      drawn_to | vk::ImageUsageFlagBits::eSampled),
+                                  aspect);
   vulkan.run([&](vk::raii::CommandBuffer& commands) {
     map.begin(commands);
     map.end(commands);
   });
   return map;
+}
+
+}  // namespace
+
+DepthMap DepthMap::create(VulkanDevice& vulkan, uint32_t side) {
+  return create_map<DepthMap>(vulkan, side, Target::depth_format, vk::ImageUsageFlagBits::eDepthStencilAttachment,
+                              vk::ImageAspectFlagBits::eDepth);
 }
 
 void DepthMap::begin(const vk::raii::CommandBuffer& commands) const {
@@ -31,18 +37,8 @@ void DepthMap::begin(const vk::raii::CommandBuffer& commands) const {
 void DepthMap::end(const vk::raii::CommandBuffer& commands) const { end_depth_rendering(commands, image); }
 
 ShadeMap ShadeMap::create(VulkanDevice& vulkan, uint32_t side) {
-  using Usage = vk::ImageUsageFlagBits;
-  ShadeMap map;
-  map.side = side;
-  map.image = vulkan.create_image(vk::ImageCreateInfo({}, vk::ImageType::e2D, format, vk::Extent3D(side, side, 1), 1, 1,
-                                                      vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                                      Usage::eColorAttachment | Usage::eSampled),
-                                  vk::ImageAspectFlagBits::eColor);
-  vulkan.run([&](vk::raii::CommandBuffer& commands) {
-    map.begin(commands);
-    map.end(commands);
-  });
-  return map;
+  return create_map<ShadeMap>(vulkan, side, format, vk::ImageUsageFlagBits::eColorAttachment,
+                              vk::ImageAspectFlagBits::eColor);
 }
 
 void ShadeMap::begin(const vk::raii::CommandBuffer& commands) const {

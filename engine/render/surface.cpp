@@ -138,9 +138,7 @@ void create_materials(VulkanDevice& vulkan, const SurfaceContent& content,
     const layout::MaterialUniforms words = uniforms(materials[i]);
     std::memcpy(static_cast<std::byte*>(surface.material_uniforms.mapped) + i * stride, &words, sizeof(words));
     SurfaceMaterial look = look_of(materials[i], !content.mesh.colours.empty());
-    const vk::DescriptorSetAllocateInfo allocate(*surface.descriptor_pool, material_layout);
-    // The pool owns the sets and frees them with itself.
-    look.set = (*vulkan.device).allocateDescriptorSets(allocate, *vulkan.device.getDispatcher()).front();
+    look.set = vulkan.allocate_sets(surface.descriptor_pool, std::array{material_layout}).front();
     write_set(vulkan, look.set, {*surface.material_uniforms.buffer, i * stride, sizeof(words)}, materials[i],
               *surface.textures, problems);
     if (!content.weights.empty()) look.rich = true;

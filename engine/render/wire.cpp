@@ -27,11 +27,7 @@ Wire Wire::create(VulkanDevice& vulkan, std::span<const std::uint32_t> triangles
   vulkan.upload(wire.edges, bytes);
   const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, 2);
   wire.pool = vk::raii::DescriptorPool(vulkan.device, vk::DescriptorPoolCreateInfo({}, 1, size));
-  // The pool owns the set and frees it with itself.
-  wire.set =
-      (*vulkan.device)
-          .allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*wire.pool, *layout), *vulkan.device.getDispatcher())
-          .front();
+  wire.set = vulkan.allocate_sets(wire.pool, std::array{*layout}).front();
   const vk::DescriptorBufferInfo words(*vertices.buffer, 0, VK_WHOLE_SIZE), ends(*wire.edges.buffer, 0, VK_WHOLE_SIZE);
   constexpr auto type = vk::DescriptorType::eStorageBuffer;
   vulkan.device.updateDescriptorSets({{wire.set, layout::binding_wire_vertices, 0, type, {}, words},

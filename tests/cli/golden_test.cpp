@@ -1,8 +1,8 @@
 /// Golden pictures of the arm.
 
 #include <algorithm>
-#include <cstring>
 
+#include "tests/support/glb.h"
 #include "tests/support/golden.h"
 
 namespace sinew::test {
@@ -102,13 +102,8 @@ TEST_F(GoldenFolder, ToleranceTellsMutantsApart) {
 
 /// The arm's file with every normal turned round.
 void flip_normals(Bytes& glb) {
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, &glb[at], 4);
-    return std::size_t{value};
-  };
-  const std::size_t json_size = word(12), data = 20 + json_size + 8;
-  const auto json = nlohmann::json::parse(glb.begin() + 20, glb.begin() + 20 + static_cast<std::ptrdiff_t>(json_size));
+  const std::size_t data = 20 + glb_word(glb, 12) + 8;
+  const nlohmann::json json = glb_json(glb);
   for (const auto& mesh : json.at("meshes"))
     for (const auto& primitive : mesh.at("primitives")) {
       const auto& accessor = json.at("accessors").at(primitive.at("attributes").at("NORMAL").get<std::size_t>());

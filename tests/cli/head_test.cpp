@@ -1,19 +1,12 @@
 /// `sinew head` as a user meets it.
 
+#include "tests/support/glb.h"
 #include "tests/support/program.h"
 
 namespace sinew::test {
 namespace {
 
-class HeadCommand : public ProgramTest {
- protected:
-  /// The JSON chunk of a .glb.
-  nlohmann::json gltf(const std::string& name) const {
-    const Bytes bytes = read(name);
-    const std::size_t length = bytes[12] | bytes[13] << 8 | bytes[14] << 16 | std::size_t{bytes[15]} << 24;
-    return nlohmann::json::parse(bytes.begin() + 20, bytes.begin() + 20 + static_cast<std::ptrdiff_t>(length));
-  }
-};
+class HeadCommand : public ProgramTest {};
 
 TEST_F(HeadCommand, WritesAFileThatTheOtherCommandsTake) {
   const nlohmann::json made = json({"head", "--level", "1", "-o", "head.glb"});
@@ -31,7 +24,7 @@ TEST_F(HeadCommand, WritesAFileThatTheOtherCommandsTake) {
 
 TEST_F(HeadCommand, ListsLandmarksInTheFilesUnits) {
   json({"head", "--level", "1", "--age", "infant", "-o", "head.glb"});
-  const nlohmann::json extras = gltf("head.glb").at("meshes").at(0).at("extras");
+  const nlohmann::json extras = glb_json(read("head.glb")).at("meshes").at(0).at("extras");
   const nlohmann::json& marks = extras.at("landmarks");
   for (const char* name :
        {"crown", "hairLine", "brow", "eyeLine", "noseBase", "lipContact", "chin", "earTop", "earBottom"})

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/deform/dense_skin.h"
-#include "tests/support/test_character.h"
-#include "tests/support/tube.h"
+#include "tests/deform/swelling_tube.h"
 
 namespace sinew::test {
 namespace {
@@ -12,18 +11,7 @@ namespace {
 /// Roundings of a dozen sums and products of numbers of size one.
 constexpr double rounding = 1e-13;
 
-Model morphing_tube() {
-  Model model = tube({.rest_bend = 25});
-  Primitive& skin = model.meshes[0].primitives[0];
-  Random random(8);
-  skin.morph_targets = {{"swell", {}, {}}};
-  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-    skin.morph_targets[0].positions.push_back(random.vector(0.05));
-    skin.morph_targets[0].normals.push_back(random.vector(0.2));
-  }
-  model.meshes[0].morph_weights = {0.5};
-  return model;
-}
+Model morphing_tube() { return swelling_tube(0.5, {.rest_bend = 25}); }
 
 Muscle upper_muscle() {
   Muscle muscle;

@@ -6,6 +6,7 @@
 #include "engine/deform/skin_output.h"
 #include "tests/deform/dense_skin.h"
 #include "tests/deform/patch.h"
+#include "tests/deform/swelling_tube.h"
 
 namespace sinew::test {
 namespace {
@@ -160,16 +161,8 @@ TEST(Tangents, OfASwollenRoundLimbAreRightToFirstOrder) {
 
 /// Where weights change over the surface the blend counts as held, for tangents as for normals.
 TEST(Tangents, GoByTheBlendOfTheirVertexWhereWeightsChange) {
-  Model model = tube();
-  Primitive& skin = model.meshes[0].primitives[0];
-  Random random(8);
-  skin.morph_targets = {{"swell", {}, {}}};
-  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-    skin.morph_targets[0].positions.push_back(random.vector(0.05));
-    skin.morph_targets[0].normals.push_back(random.vector(0.2));
-  }
-  model.meshes[0].morph_weights = {0.0};
-  TestCharacter limb(model);
+  TestCharacter limb(swelling_tube(0.0));
+  Random random(9);
   for (std::size_t v = 0; v < limb.mesh.vertices(); ++v)
     limb.mesh.tangents.push_back(
         tangent_in_plane(Vec4(random.vector(), v % 2 == 0 ? 1.0 : -1.0), limb.mesh.normals[v]));

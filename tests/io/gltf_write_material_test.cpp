@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/glb.h"
 #include "tests/support/rig_round_trip.h"
 #include "tests/support/small_rig.h"
 
@@ -11,32 +12,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Texture Material::*texture_members[] = {&Material::base_colour_texture, &Material::metallic_roughness_texture,
-                                                  &Material::normal_texture, &Material::occlusion_texture,
-                                                  &Material::emissive_texture};
-
-void expect_same(const Material& a, const Material& b) {
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.base_colour, b.base_colour);
-  EXPECT_EQ(a.metallic, b.metallic);
-  EXPECT_EQ(a.roughness, b.roughness);
-  EXPECT_EQ(a.normal_scale, b.normal_scale);
-  EXPECT_EQ(a.occlusion_strength, b.occlusion_strength);
-  EXPECT_EQ(a.emissive, b.emissive);
-  EXPECT_EQ(a.specular, b.specular);
-  EXPECT_EQ(a.specular_colour, b.specular_colour);
-  for (const auto member : texture_members) EXPECT_EQ(a.*member, b.*member);
-  EXPECT_EQ(a.unlit, b.unlit);
-  EXPECT_EQ(a.double_sided, b.double_sided);
-  EXPECT_EQ(a.alpha_mode, b.alpha_mode);
-  EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
-}
-
 json json_of(const Model& model) {
   const auto file = rig_glb(model);
   EXPECT_TRUE(file) << file.error().message;
-  if (!file) return {};
-  return json::parse(file->begin() + 20, file->begin() + 20 + (*file)[12] + 256 * (*file)[13] + 65536 * (*file)[14]);
+  return file ? glb_json(*file) : json{};
 }
 
 TEST(RigGlbMaterials, EveryPropertyAndTextureComesBack) {
@@ -44,7 +23,7 @@ TEST(RigGlbMaterials, EveryPropertyAndTextureComesBack) {
   ASSERT_EQ(back.materials.size(), model.materials.size());
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     SCOPED_TRACE(model.materials[i].name);
-    expect_same(model.materials[i], back.materials[i]);
+    expect_same_material(model.materials[i], back.materials[i]);
   }
   ASSERT_EQ(back.images.size(), model.images.size());
   for (std::size_t i = 0; i < model.images.size(); ++i) {

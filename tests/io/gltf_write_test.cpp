@@ -1,11 +1,10 @@
 #include "engine/io/gltf_write.h"
 
-#include <cstring>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/assets.h"
+#include "tests/support/glb.h"
 #include "tests/support/rig_round_trip.h"
 #include "tests/support/small_rig.h"
 
@@ -13,16 +12,6 @@ namespace sinew {
 namespace {
 
 using namespace test;
-
-std::uint32_t word(const Bytes& file, std::size_t at) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, file.data() + at, sizeof value);
-  return value;
-}
-
-nlohmann::json json_of(const Bytes& file) {
-  return nlohmann::json::parse(file.begin() + 20, file.begin() + 20 + word(file, 12));
-}
 
 void expect_same_influences(const Influences& a, const Influences& b) {
   ASSERT_EQ(a.first, b.first);
@@ -83,15 +72,9 @@ TEST(RigGlb, ClipsComeBack) {
 TEST(RigGlb, MaterialsAndPicturesComeBack) {
   const Model model = two_meshes_on_one_skin(), back = written_and_read(model);
   ASSERT_EQ(back.materials.size(), 1u);
-  const Material &a = model.materials[0], &b = back.materials[0];
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.base_colour, b.base_colour);
-  EXPECT_EQ(a.base_colour_texture, b.base_colour_texture);
-  EXPECT_EQ(a.double_sided, b.double_sided);
-  EXPECT_EQ(a.alpha_mode, b.alpha_mode);
-  EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
+  expect_same_material(model.materials[0], back.materials[0]);
   ASSERT_EQ(back.images.size(), 1u);
-  EXPECT_EQ(back.images[b.base_colour_texture.image].bytes, model.images[0].bytes);
+  EXPECT_EQ(back.images[back.materials[0].base_colour_texture.image].bytes, model.images[0].bytes);
   EXPECT_EQ(back.images[0].name, "checks");
 }
 
@@ -103,8 +86,8 @@ TEST(RigGlb, DeformsAsBefore) {
 TEST(RigGlb, EmptyModelIsAFileWithoutBinaryChunk) {
   const auto file = rig_glb({});
   ASSERT_TRUE(file) << file.error().message;
-  EXPECT_EQ(json_of(*file), nlohmann::json::parse(R"({"asset": {"version": "2.0", "generator": "sinew"}})"));
-  EXPECT_EQ(file->size(), 20 + word(*file, 12));
+  EXPECT_EQ(glb_json(*file), nlohmann::json::parse(R"({"asset": {"version": "2.0", "generator": "sinew"}})"));
+  EXPECT_EQ(file->size(), 20 + glb_word(*file, 12));
 }
 
 TEST(RigGlb, EmptyArraysAreLeftOut) {
@@ -131,12 +114,12 @@ TEST(RigGlb, PicturesThatGltfDoesNotKnowAreLeftOut) {
 TEST(RigGlb, SameModelGivesSameBytesInAWholeContainer) {
   const Bytes file = *rig_glb(two_meshes_on_one_skin());
   EXPECT_EQ(file, *rig_glb(two_meshes_on_one_skin()));
-  EXPECT_EQ(word(file, 8), file.size());
-  EXPECT_EQ(word(file, 12) % 4, 0u);
-  const std::size_t binary = 20 + word(file, 12);
-  EXPECT_EQ(word(file, binary + 4), 0x004E4942u);
-  EXPECT_EQ(word(file, binary) % 4, 0u);
-  EXPECT_EQ(binary + 8 + word(file, binary), file.size());
+  EXPECT_EQ(glb_word(file, 8), file.size());
+  EXPECT_EQ(glb_word(file, 12) % 4, 0u);
+  const std::size_t binary = 20 + glb_word(file, 12);
+  EXPECT_EQ(glb_word(file, binary + 4), 0x004E4942u);
+  EXPECT_EQ(glb_word(file, binary) % 4, 0u);
+  EXPECT_EQ(binary + 8 + glb_word(file, binary), file.size());
 }
 
 TEST(RigGlb, NamesThatAreNoUtf8DoNotStopIt) {
@@ -144,7 +127,7 @@ TEST(RigGlb, NamesThatAreNoUtf8DoNotStopIt) {
   model.nodes[hip].name = "h\xFFip";
   const auto file = rig_glb(model);
   ASSERT_TRUE(file) << file.error().message;
-  EXPECT_EQ(json_of(*file)["nodes"][hip]["name"], "h\uFFFDip");
+  EXPECT_EQ(glb_json(*file)["nodes"][hip]["name"], "h\uFFFDip");
 }
 
 TEST(RigGlb, ReasonsNameThePlace) {
@@ -224,7 +207,7 @@ TEST(BakedGlb, IndicesNeverRestartThePrimitive) {
   for (const std::size_t vertices : {65535u, 65536u}) {
     mesh.frames = {{std::vector<Vec3f>(vertices, Vec3f(0)), std::vector<Vec3f>(vertices, Vec3f(0, 0, 1))}};
     mesh.triangles = {0, 1, static_cast<std::uint32_t>(vertices - 1)};
-    const nlohmann::json json = json_of(*baked_glb(mesh, ""));
+    const nlohmann::json json = glb_json(*baked_glb(mesh, ""));
     const int indices = json["meshes"][0]["primitives"][0]["indices"];
     EXPECT_EQ(json["accessors"][indices]["componentType"], vertices == 65535u ? 5123 : 5125);
   }

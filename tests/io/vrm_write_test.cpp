@@ -4,16 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/body/figure.h"
+#include "tests/support/glb.h"
 #include "tests/support/rig_round_trip.h"
 
 namespace sinew::test {
 namespace {
-
-/// The JSON chunk of a .glb (glTF 2.0 Specification 4.4): behind 12 bytes of header and 8 of its own.
-nlohmann::json json_chunk(const Bytes& file) {
-  const std::size_t length = file[12] | file[13] << 8 | file[14] << 16 | std::size_t{file[15]} << 24;
-  return nlohmann::json::parse(file.begin() + 20, file.begin() + 20 + static_cast<std::ptrdiff_t>(length));
-}
 
 TEST(VrmWrite, HasMapAndMetaAndIsReadBack) {
   const auto figure = build_figure(*figure_preset("skeleton"));
@@ -24,7 +19,7 @@ TEST(VrmWrite, HasMapAndMetaAndIsReadBack) {
     ASSERT_TRUE(add_vrm_meta(meta, word)) << word;
   const auto bytes = vrm_glb(*figure, {{"hips", 0}, {"head", 5}}, meta);
   ASSERT_TRUE(bytes) << bytes.error().message;
-  const nlohmann::json json = json_chunk(*bytes);
+  const nlohmann::json json = glb_json(*bytes);
   EXPECT_EQ(json.at("extensionsUsed"), nlohmann::json::array({"VRMC_vrm"}));
   const nlohmann::json& vrm = json.at("extensions").at("VRMC_vrm");
   EXPECT_EQ(vrm.at("specVersion"), "1.0");

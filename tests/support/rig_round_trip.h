@@ -17,6 +17,27 @@
 
 namespace sinew::test {
 
+inline constexpr Texture Material::*texture_members[] = {
+    &Material::base_colour_texture, &Material::metallic_roughness_texture, &Material::normal_texture,
+    &Material::occlusion_texture, &Material::emissive_texture};
+
+inline void expect_same_material(const Material& a, const Material& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.base_colour, b.base_colour);
+  EXPECT_EQ(a.metallic, b.metallic);
+  EXPECT_EQ(a.roughness, b.roughness);
+  EXPECT_EQ(a.normal_scale, b.normal_scale);
+  EXPECT_EQ(a.occlusion_strength, b.occlusion_strength);
+  EXPECT_EQ(a.emissive, b.emissive);
+  EXPECT_EQ(a.specular, b.specular);
+  EXPECT_EQ(a.specular_colour, b.specular_colour);
+  for (const auto member : texture_members) EXPECT_EQ(a.*member, b.*member);
+  EXPECT_EQ(a.unlit, b.unlit);
+  EXPECT_EQ(a.double_sided, b.double_sided);
+  EXPECT_EQ(a.alpha_mode, b.alpha_mode);
+  EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
+}
+
 /// The file's bytes, read as from a disk.
 inline Result<Model> read_back(const Bytes& file) {
   const std::filesystem::path path =
