@@ -118,6 +118,8 @@ TEST_F(Validator, HasNothingToSayAboutHeads) {
     const ProgramResult result = run(arguments);
     ASSERT_EQ(result.exit_code, 0) << result;
   }
+  files.push_back(path("actor.glb"));
+  ASSERT_EQ(run({"figure", "--head", "adult", "-o", files.back()}).exit_code, 0);
   const Verdict verdict = validate(files);
   EXPECT_EQ(verdict.exit_code, 0) << verdict.said;
 }
