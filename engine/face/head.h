@@ -20,6 +20,7 @@ struct Head {
   std::vector<Vec3> normals;              ///< [vertices]
   std::vector<Vec2> texture_coordinates;  ///< [vertices]
   std::vector<double> blush;              ///< [vertices] 0 to 1: where the skin is redder
+  std::vector<double> gloom;              ///< [vertices] 0 to 1: how deep in the mouth, where little light comes
   std::vector<HeadTriangle> triangles;    ///< the same for every head of a level
   std::size_t skin_vertices = 0;          ///< the skin's stand first
   std::vector<std::uint32_t> mirror;      ///< [vertices] the same place on the other side
