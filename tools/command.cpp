@@ -27,9 +27,13 @@ void add_later_option(CLI::App& command, const std::string& name) {
 }
 
 void add_scene_options(CLI::App& command, SceneWords& words) {
-  command.add_option("scene", words.scene, "A scene file, a .glb or .gltf, or nothing for the embedded scene");
+  add_stage_options(command, words);
   auto* frame = command.add_option("--frame", words.frame, "One frame");
   command.add_option("--frames", words.frames, "Frames: 0-47, 0-99:5 or 1,3,7-9")->excludes(frame);
+}
+
+void add_stage_options(CLI::App& command, SceneWords& words) {
+  command.add_option("scene", words.scene, "A scene file, a .glb or .gltf, or nothing for the embedded scene");
   command.add_option("--deformer", words.deformer, "How vertices follow the joints: rigid or ssd")
       ->capture_default_str();
   command.add_option("--bulge", words.bulge, "Muscles: on, off or paper (keeps the step at the region's edge)")
@@ -106,8 +110,8 @@ void apply_verbosity(const CommonOptions& options) {
   spdlog::set_level(options.quiet ? spdlog::level::err : options.verbose ? spdlog::level::debug : spdlog::level::info);
 }
 
-Result<Device> open_device(const CommonOptions& options) {
-  auto device = Device::create({options.device, options.validate});
+Result<Device> open_device(const CommonOptions& options, const std::vector<std::string>& surface_extensions) {
+  auto device = Device::create({options.device, options.validate, surface_extensions});
   if (!device) return device;
   const DeviceInfo& info = device->info();
   spdlog::info("device: {} (Vulkan {}, {}){}", info.name, info.api, info.driver,

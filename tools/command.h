@@ -48,6 +48,8 @@ using Run = std::function<Result<void>()>;
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_scene_options(CLI::App& command, SceneWords& words);
+/// Those of them that do not choose frames.
+void add_stage_options(CLI::App& command, SceneWords& words);
 void add_look_options(CLI::App& command, LookWords& words);
 
 /// Takes an option of the manual that does not exist yet: whoever uses it is told so, as wrong usage.
@@ -60,8 +62,9 @@ Result<ProgressStyle> progress_style(const CommonOptions& options);
 /// Sets what is logged to stderr.
 void apply_verbosity(const CommonOptions& options);
 
-/// The device that was asked for, named in the log. Fails as no_device.
-Result<Device> open_device(const CommonOptions& options);
+/// The device that was asked for, named in the log; with `surface_extensions` one that shows pictures in windows. Fails
+/// as no_device.
+Result<Device> open_device(const CommonOptions& options, const std::vector<std::string>& surface_extensions = {});
 
 /// What most commands work on. The device outlives what is made on it.
 struct Opened {
@@ -95,5 +98,6 @@ void add_figure(CLI::App& program, Run& run);
 void add_motion(CLI::App& program, Run& run);
 void add_head(CLI::App& program, Run& run);
 void add_fit_skin(CLI::App& program, Run& run);
+void add_view(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

@@ -222,11 +222,9 @@ Result<void> prepare_model(StagedCharacter& character, const SceneOptions& optio
   return {};
 }
 
-Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
-                     std::vector<std::string>& problems) {
-  const bool bare_model = opened.bare_model;
-  auto bytes = std::exchange(opened.model_bytes, std::nullopt);
-  if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
+/// What the scene makes of the model, which is there already.
+Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place,
+                         std::vector<std::string>& problems) {
   std::vector<std::string> found = character.model->problems;
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (const auto& use = character.scene.motion) {
@@ -242,6 +240,13 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, Op
   for (const std::string& problem : found)
     problems.push_back(fmt::format("{}: {}", character.scene.model.string(), problem));
   return {};
+}
+
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
+                     std::vector<std::string>& problems) {
+  auto bytes = std::exchange(opened.model_bytes, std::nullopt);
+  if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
+  return prepare_use(character, options, opened.bare_model, place, problems);
 }
 
 /// What a character asks for that this program cannot do yet: said, not ignored.
@@ -295,6 +300,14 @@ std::string hash_scene(const Stage& stage, const SceneOptions& options) {
   return sha256(json.dump());
 }
 
+/// What follows from the characters once all are there.
+Result<void> complete(Stage& stage, const SceneOptions& options) {
+  if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
+  stage.range = stage.scene.frames.value_or(natural_range(stage));
+  stage.scene_hash = hash_scene(stage, options);
+  return {};
+}
+
 }  // namespace
 
 Result<Stage> open_stage(const SceneOptions& options) {
@@ -315,10 +328,60 @@ Result<Stage> open_stage(const SceneOptions& options) {
     staged.scene = character;
     if (auto ok = prepare(staged, with_library, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
   }
-  if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
-  stage.range = stage.scene.frames.value_or(natural_range(stage));
-  stage.scene_hash = hash_scene(stage, options);
+  if (auto ok = complete(stage, options); !ok) return pass_on(std::move(ok));
   return stage;
+}
+
+Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options) {
+  Stage next;
+  next.source = stage.source;
+  next.scene = scene;
+  next.strength = options.strength;
+  SceneOptions with_library = options;
+  if (scene.library) with_library.library = *scene.library;
+  // Each model serves once; it goes back where it came from if the new scene cannot be staged.
+  std::vector<int> taken_from;
+  std::vector<bool> taken(stage.characters.size(), false);
+  const auto fail = [&](Error error) -> Result<void> {
+    for (std::size_t i = 0; i < taken_from.size(); ++i)
+      if (taken_from[i] >= 0) {
+        StagedCharacter& home = stage.characters[static_cast<std::size_t>(taken_from[i])];
+        StagedCharacter& lent = next.characters[i];
+        home.model = std::move(lent.model);
+        home.mesh = std::move(lent.mesh);
+        home.rest = std::move(lent.rest);
+      }
+    return tl::unexpected<Error>(std::move(error));
+  };
+  for (const Character& character : scene.characters) {
+    note_unsupported(character, next.problems);
+    const Place place(stage.source, false, next.characters.size());
+    StagedCharacter& staged = next.characters.emplace_back();
+    staged.scene = character;
+    std::size_t same = 0;
+    while (same < stage.characters.size() && (taken[same] || stage.characters[same].scene.model != character.model))
+      ++same;
+    if (same < stage.characters.size()) {
+      StagedCharacter& old = stage.characters[same];
+      taken[same] = true;
+      taken_from.push_back(static_cast<int>(same));
+      staged.model = std::move(old.model);
+      staged.model_hash = old.model_hash;
+      staged.order = old.order;
+      staged.rest_rotations = old.rest_rotations;
+      staged.humanoid = old.humanoid;
+      staged.mesh = std::move(old.mesh);
+      staged.rest = std::move(old.rest);
+    } else {
+      taken_from.push_back(-1);
+      if (auto ok = prepare_model(staged, with_library, std::nullopt); !ok)
+        return fail(place.at("/model", std::move(ok)).value());
+    }
+    if (auto ok = prepare_use(staged, with_library, false, place, next.problems); !ok) return fail(ok.error());
+  }
+  if (auto ok = complete(next, options); !ok) return fail(ok.error());
+  stage = std::move(next);
+  return {};
 }
 
 }  // namespace sinew

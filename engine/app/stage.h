@@ -61,6 +61,14 @@ struct Stage {
 /// Opens a scene file, a bare model or the embedded default. Fails as bad_input; nothing is left half open.
 Result<Stage> open_stage(const SceneOptions& options);
 
+/// Puts another scene on the stage: models that it has already are not read again. `options` as in open_stage(), but
+/// not its scene. Fails as open_stage() does and then leaves the stage as it was.
+Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options);
+
+/// The stage's scene with everything spelled out that a bare model has by default: what it shows as a scene file does.
+/// Fails as bad_input where a muscle's joint has no name.
+Result<Scene> spelled_out_scene(const Stage& stage);
+
 /// Where a character's joints and muscles stand at a frame.
 CharacterState character_state(const Stage& stage, std::size_t character, double frame);
 

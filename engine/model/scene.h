@@ -131,6 +131,7 @@ struct Camera {
   Keyed<double> orbit = Keyed<double>::constant(0);  ///< degrees, counter-clockwise seen from above
   std::optional<Keyed<Vec3>> target;                 ///< absent: the centre of what the scene shows
   std::optional<Keyed<double>> distance;             ///< from the target, > 0; absent: far enough to see everything
+  std::optional<double> elevation;                   ///< degrees above the level, -90..90; absent: the view's
 
   bool operator==(const Camera&) const = default;
 };
