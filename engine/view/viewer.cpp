@@ -49,6 +49,7 @@ class Viewer {
   Result<void> follow(Touched what);
   void take_pointer();
   void take_keys(Window& window);
+  void take_key(const KeyPress& press, Window& window);
   void take_requests(Window& window);
   void take_edit(const Result<Touched>& done, const std::string& said);
   void look_from(const OrbitCamera& camera);
@@ -155,37 +156,78 @@ void Viewer::take_pointer() {
 }
 
 void Viewer::take_keys(Window& window) {
-  const ImGuiIO& io = ImGui::GetIO();
+  for (const KeyPress& press : window.take_key_presses()) take_key(press, window);
+}
+
+void Viewer::take_key(const KeyPress& press, Window& window) {
   Playback& playback = state_.playback;
-  if (io.KeyCtrl) {
-    if (window.pressed(KeyboardKey::z)) (io.KeyShift ? state_.redo : state_.undo) = true;
-    if (window.pressed(KeyboardKey::y)) state_.redo = true;
-    if (window.pressed(KeyboardKey::s)) state_.save = true;
-    if (window.pressed(KeyboardKey::q)) window.close();
-  } else {
-    if (window.pressed(KeyboardKey::f)) state_.frame_all = true;
-    if (window.pressed(KeyboardKey::p)) state_.screenshot = true;
-    if (window.pressed(KeyboardKey::tab)) state_.panels = !state_.panels;
-    if (window.pressed(KeyboardKey::help)) state_.help = !state_.help;
-    if (window.pressed(KeyboardKey::space)) playback.playing = !playback.playing;
-    const int steps = io.KeyShift ? 10 : 1;
-    if (window.pressed(KeyboardKey::left, true)) playback.go_to(playback.shown() - steps), playback.playing = false;
-    if (window.pressed(KeyboardKey::right, true)) playback.go_to(playback.shown() + steps), playback.playing = false;
-    if (window.pressed(KeyboardKey::home)) playback.go_to(playback.range.first);
-    if (window.pressed(KeyboardKey::end)) playback.go_to(playback.range.last);
-    if (window.pressed(KeyboardKey::k) && !state_.joint.empty()) {
-      Scene scene = document().scene();
-      add_joint_key(scene.characters[state_.character], state_.joint, playback.shown());
-      state_.ask(scene, "key for " + state_.joint);
-    }
-  }
-  const auto view = [&](KeyboardKey key, View plain, View opposite) {
-    if (window.pressed(key)) state_.view = io.KeyCtrl ? opposite : plain;
+  const int steps = press.shift ? 10 : 1;
+  const auto go_to = [&](int frame) {
+    playback.go_to(frame);
+    playback.playing = false;
   };
-  view(KeyboardKey::one, View::front, View::back);
-  view(KeyboardKey::three, View::left, View::right);
-  view(KeyboardKey::seven, View::top, View::top);
-  view(KeyboardKey::five, View::three_quarter, View::three_quarter);
+  // Held keys step; everything else happens once.
+  if (press.key == KeyboardKey::left) return go_to(playback.shown() - steps);
+  if (press.key == KeyboardKey::right) return go_to(playback.shown() + steps);
+  if (press.again) return;
+  switch (press.key) {
+    case KeyboardKey::f:
+      state_.frame_all = true;
+      break;
+    case KeyboardKey::k:
+      if (state_.joint.empty()) break;
+      {
+        Scene scene = document().scene();
+        add_joint_key(scene.characters[state_.character], state_.joint, playback.shown());
+        state_.ask(scene, "key for " + state_.joint);
+      }
+      break;
+    case KeyboardKey::p:
+      state_.screenshot = true;
+      break;
+    case KeyboardKey::q:
+      if (press.control) window.close();
+      break;
+    case KeyboardKey::s:
+      state_.save = state_.save || press.control;
+      break;
+    case KeyboardKey::y:
+      state_.redo = state_.redo || press.control;
+      break;
+    case KeyboardKey::z:
+      if (press.control) (press.shift ? state_.redo : state_.undo) = true;
+      break;
+    case KeyboardKey::one:
+      state_.view = press.control ? View::back : View::front;
+      break;
+    case KeyboardKey::three:
+      state_.view = press.control ? View::right : View::left;
+      break;
+    case KeyboardKey::five:
+      state_.view = View::three_quarter;
+      break;
+    case KeyboardKey::seven:
+      state_.view = View::top;
+      break;
+    case KeyboardKey::space:
+      playback.playing = !playback.playing;
+      break;
+    case KeyboardKey::tab:
+      state_.panels = !state_.panels;
+      break;
+    case KeyboardKey::home:
+      go_to(playback.range.first);
+      break;
+    case KeyboardKey::end:
+      go_to(playback.range.last);
+      break;
+    case KeyboardKey::help:
+      state_.help = !state_.help;
+      break;
+    case KeyboardKey::left:
+    case KeyboardKey::right:
+      break;
+  }
 }
 
 void Viewer::take_edit(const Result<Touched>& done, const std::string& said) {

@@ -23,6 +23,55 @@ std::string last_glfw_error() {
   return text ? text : "no reason was given";
 }
 
+std::optional<KeyboardKey> key_of(int code, bool shift) {
+  switch (code) {
+    case GLFW_KEY_F:
+      return KeyboardKey::f;
+    case GLFW_KEY_K:
+      return KeyboardKey::k;
+    case GLFW_KEY_P:
+      return KeyboardKey::p;
+    case GLFW_KEY_Q:
+      return KeyboardKey::q;
+    case GLFW_KEY_S:
+      return KeyboardKey::s;
+    case GLFW_KEY_Y:
+      return KeyboardKey::y;
+    case GLFW_KEY_Z:
+      return KeyboardKey::z;
+    case GLFW_KEY_1:
+    case GLFW_KEY_KP_1:
+      return KeyboardKey::one;
+    case GLFW_KEY_3:
+    case GLFW_KEY_KP_3:
+      return KeyboardKey::three;
+    case GLFW_KEY_5:
+    case GLFW_KEY_KP_5:
+      return KeyboardKey::five;
+    case GLFW_KEY_7:
+    case GLFW_KEY_KP_7:
+      return KeyboardKey::seven;
+    case GLFW_KEY_SPACE:
+      return KeyboardKey::space;
+    case GLFW_KEY_TAB:
+      return KeyboardKey::tab;
+    case GLFW_KEY_LEFT:
+      return KeyboardKey::left;
+    case GLFW_KEY_RIGHT:
+      return KeyboardKey::right;
+    case GLFW_KEY_HOME:
+      return KeyboardKey::home;
+    case GLFW_KEY_END:
+      return KeyboardKey::end;
+    case GLFW_KEY_F1:
+      return KeyboardKey::help;
+    case GLFW_KEY_SLASH:
+      return shift ? std::optional(KeyboardKey::help) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 Result<WindowSystem> WindowSystem::start() {
@@ -51,6 +100,7 @@ struct Window::Impl {
   VulkanDevice* vulkan = nullptr;
   GLFWwindow* window = nullptr;
   std::vector<std::filesystem::path> dropped;
+  std::vector<KeyPress> presses;
   bool events = true;
   bool interface_made = false;
   vk::raii::SurfaceKHR surface = nullptr;
@@ -126,8 +176,14 @@ Result<Window> Window::create(WindowSystem&, Device& device, const WindowOptions
   glfwSetCursorPosCallback(impl->window, [](GLFWwindow* window, double, double) { stirred(window); });
   glfwSetMouseButtonCallback(impl->window, [](GLFWwindow* window, int, int, int) { stirred(window); });
   glfwSetScrollCallback(impl->window, [](GLFWwindow* window, double, double) { stirred(window); });
-  glfwSetKeyCallback(impl->window, [](GLFWwindow* window, int, int, int, int) { stirred(window); });
-  glfwSetCharCallback(impl->window, [](GLFWwindow* window, unsigned) { stirred(window); });
+  glfwSetKeyCallback(impl->window, [](GLFWwindow* window, int code, int, int action, int modifiers) {
+    stirred(window);
+    const bool shift = modifiers & GLFW_MOD_SHIFT;
+    const auto key = key_of(code, shift);
+    if (!key || action == GLFW_RELEASE) return;
+    static_cast<Impl*>(glfwGetWindowUserPointer(window))
+        ->presses.push_back({*key, (modifiers & GLFW_MOD_CONTROL) != 0, shift, action == GLFW_REPEAT});
+  });
   glfwSetWindowFocusCallback(impl->window, [](GLFWwindow* window, int) { stirred(window); });
   glfwSetFramebufferSizeCallback(impl->window, [](GLFWwindow* window, int, int) { stirred(window); });
 
@@ -178,48 +234,10 @@ bool Window::had_events() { return std::exchange(impl_->events, false); }
 
 std::vector<std::filesystem::path> Window::take_dropped_files() { return std::exchange(impl_->dropped, {}); }
 
-bool Window::pressed(KeyboardKey key, bool repeat) const {
-  const auto down = [&](int code) { return ImGui::IsKeyPressed(code, repeat); };
-  if (ImGui::GetIO().WantTextInput) return false;
-  switch (key) {
-    case KeyboardKey::f:
-      return down(GLFW_KEY_F);
-    case KeyboardKey::k:
-      return down(GLFW_KEY_K);
-    case KeyboardKey::p:
-      return down(GLFW_KEY_P);
-    case KeyboardKey::q:
-      return down(GLFW_KEY_Q);
-    case KeyboardKey::s:
-      return down(GLFW_KEY_S);
-    case KeyboardKey::y:
-      return down(GLFW_KEY_Y);
-    case KeyboardKey::z:
-      return down(GLFW_KEY_Z);
-    case KeyboardKey::one:
-      return down(GLFW_KEY_1) || down(GLFW_KEY_KP_1);
-    case KeyboardKey::three:
-      return down(GLFW_KEY_3) || down(GLFW_KEY_KP_3);
-    case KeyboardKey::five:
-      return down(GLFW_KEY_5) || down(GLFW_KEY_KP_5);
-    case KeyboardKey::seven:
-      return down(GLFW_KEY_7) || down(GLFW_KEY_KP_7);
-    case KeyboardKey::space:
-      return down(GLFW_KEY_SPACE);
-    case KeyboardKey::tab:
-      return down(GLFW_KEY_TAB);
-    case KeyboardKey::left:
-      return down(GLFW_KEY_LEFT);
-    case KeyboardKey::right:
-      return down(GLFW_KEY_RIGHT);
-    case KeyboardKey::home:
-      return down(GLFW_KEY_HOME);
-    case KeyboardKey::end:
-      return down(GLFW_KEY_END);
-    case KeyboardKey::help:
-      return down(GLFW_KEY_F1) || (down(GLFW_KEY_SLASH) && ImGui::GetIO().KeyShift);
-  }
-  return false;
+std::vector<KeyPress> Window::take_key_presses() {
+  std::vector<KeyPress> presses = std::exchange(impl_->presses, {});
+  if (ImGui::GetIO().WantTextInput) presses.clear();
+  return presses;
 }
 
 void Window::begin_interface() {

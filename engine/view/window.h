@@ -29,8 +29,14 @@ class WindowSystem {
   bool running_ = true;
 };
 
-/// Keys by their place on a US keyboard.
+/// Keys by their place on a US keyboard; the number pad's numbers are numbers.
 enum class KeyboardKey { f, k, p, q, s, y, z, one, three, five, seven, space, tab, left, right, home, end, help };
+
+/// A key that went down, or was held long enough to count again.
+struct KeyPress {
+  KeyboardKey key;
+  bool control = false, shift = false, again = false;
+};
 
 struct WindowOptions {
   PictureSize size;
@@ -58,9 +64,8 @@ class Window {
   void take_events(bool wait, double seconds = 1.0);
   /// True where something has happened since the last call.
   bool had_events();
-  /// True in the frame in which the key went down; with `repeat` also while it is held. A text field has its keys for
-  /// itself.
-  bool pressed(KeyboardKey key, bool repeat = false) const;
+  /// Keys since the last call, in their order; none that went into a text field.
+  std::vector<KeyPress> take_key_presses();
   /// Files that were dropped onto the window since the last call.
   std::vector<std::filesystem::path> take_dropped_files();
   void set_clipboard(const std::string& text);

@@ -77,7 +77,7 @@ TEST(Document, ANewEditForgetsWhatWasUndone) {
 }
 
 TEST(Document, SaysWhatAnEditTouches) {
-  Document document = opened();
+  Document document = opened("builtin:woman");
   Scene scene = document.scene();
   scene.look.shadows = false;
   EXPECT_EQ(*document.edit(scene, "shadows"), Touched::look);
