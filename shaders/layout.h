@@ -6,17 +6,25 @@
 //   word 2: joints 0 and 1, joints 2 and 3 (16 bits each, the lower first), weights of influences 2 and 3 (float)
 // The largest weight is not stored: it is 1 minus the others, so that the sum is exact whatever the rounding.
 //
-// Details, words of 16 bytes: what only some vertices have. The first words_per_region words are zero and serve all
-// vertices that have none. In a character with morph targets or with more than 4 influences the details of a vertex
+// Details, words of 16 bytes: what only some vertices have. The first zero_words words are zero and serve all vertices
+// that have none. In a character with morph targets or with more than 4 influences the details of a vertex
 // begin with a header
 //   {number of morph deltas, 1 where there are influences 4 to 7 else 0, 0, 0}
 //   a morph delta:  {position x, y, z, morph slot (uint)} {normal x, y, z, 0}
+// in a character with a face follow (engine/definitions.md 15)
+//   a face entry:   {share of the jaw, the same with sealed lips, angle at upper lid 1, at lower lid 1}
+//                   {least distance from the eye, which turn, number of face deltas (uint), 0}
+//   a face delta:   as a morph delta; signals stand behind the morph slots
+// and then
 //   influences 4-7: {joints 4 and 5, joints 6 and 7, 0, 0} {their weights}
 // and in every character with muscles they end with its regions
 //   a region entry: {x, y, f, df/dt / length} {A0^T a, muscle index (uint)} {A0^T s, 0}   (engine/definitions.md 6)
 //
 // Palette: 3 words a joint, the rows of its 3x4 matrix. Muscles: 1 word each (MuscleWord). Output: 2 words a vertex,
 // {position, bulge height} {normal, 0}.
+// Face of one frame, bind pose: {jaw's hinge, its angle} {axis of all turns, seal} {what the jaw goes forward, 0}, then
+// four words a turn: {centre, upper lid} {what gaze adds to the vertex from there, a row of 3x3, lower lid} {row, 0} {row, 0}.
+// Turn 0 is none, 1 and 2 are the lids of the left and the right eye, 3 and 4 the balls.
 // Tangents, in a character with a normal texture: 1 word a vertex, in and out {tangent, side of the bitangent}.
 #ifndef SINEW_SHADERS_LAYOUT_H
 #define SINEW_SHADERS_LAYOUT_H
@@ -41,6 +49,13 @@ SINEW_CONSTANT words_per_output = 2;
 SINEW_CONSTANT words_per_morph_delta = 2;
 SINEW_CONSTANT words_per_extra = 2;
 SINEW_CONSTANT words_per_region = 3;
+SINEW_CONSTANT words_per_face_entry = 2;
+SINEW_CONSTANT words_per_face_delta = 2;
+SINEW_CONSTANT words_of_jaw = 3;
+SINEW_CONSTANT words_per_face_turn = 4;
+SINEW_CONSTANT face_turns = 5;
+SINEW_CONSTANT words_per_face = words_of_jaw + face_turns * words_per_face_turn;
+SINEW_CONSTANT zero_words = 8;
 SINEW_CONSTANT link_shift = 28;
 SINEW_CONSTANT link_mask = 0x0fffffffu;
 
@@ -53,6 +68,8 @@ SINEW_CONSTANT binding_muscles = 4;
 SINEW_CONSTANT binding_output = 5;
 SINEW_CONSTANT binding_tangents = 6;
 SINEW_CONSTANT binding_output_tangents = 7;
+SINEW_CONSTANT binding_face = 8;
+SINEW_CONSTANT deform_bindings = 9;
 
 // Specialisation constants of the deform pass.
 SINEW_CONSTANT constant_deformer = 0;
@@ -60,6 +77,7 @@ SINEW_CONSTANT constant_bulge = 1;
 SINEW_CONSTANT constant_has_morphs = 2;
 SINEW_CONSTANT constant_has_extra_influences = 3;
 SINEW_CONSTANT constant_has_tangents = 4;
+SINEW_CONSTANT constant_has_face = 5;
 
 SINEW_CONSTANT deformer_rigid = 0;
 SINEW_CONSTANT deformer_ssd = 1;

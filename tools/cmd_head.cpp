@@ -87,11 +87,6 @@ Result<Pose> wanted_pose(const Words& words) {
   return out;
 }
 
-std::string channel_word(FaceChannel c) {
-  const FaceChannelName& name = face_channel_names()[static_cast<std::size_t>(c)];
-  return *name.number ? fmt::format("{}.{}", name.region, name.number) : name.region;
-}
-
 void report(const Words& words, const Head& head, const Model& model, const std::vector<HeldChannel>& held) {
   std::size_t vertices = 0, triangles = 0;
   for (const Primitive& primitive : model.meshes[0].primitives) {

@@ -5,6 +5,7 @@
 #include "engine/app/measure.h"
 #include "engine/app/motion_use.h"
 #include "engine/core/files.h"
+#include "engine/model/scene_words.h"
 #include "tools/command.h"
 #include "tools/motion_report.h"
 #include "tools/muscle_report.h"
@@ -42,6 +43,24 @@ Json clips_json(const Stage& stage) {
   return clips;
 }
 
+/// What moves a face: regions by name, or the morph targets that stand in for them; and what its limits hold.
+Json face_json(const Stage& stage) {
+  Json regions = Json::array(), targets = Json::array(), held = Json::array();
+  for (const StagedCharacter& character : stage.characters) {
+    if (character.mesh.face && regions.empty())
+      for (const FaceRegion& region : face_regions()) regions.push_back(region.name);
+    if (!character.mesh.face)
+      if (const auto found = TargetFace::find(*character.model, character.mesh))
+        for (const std::string& name : found->names()) targets.push_back(name);
+    for (const auto& [channel, frame] : character.face.held)
+      held.push_back({{"region", channel_word(channel.channel)},
+                      {"asked", channel.asked},
+                      {"held", channel.held},
+                      {"frame", frame}});
+  }
+  return {{"regions", regions}, {"targets", targets}, {"held", held}};
+}
+
 Json stage_json(const Stage& stage, bool posed) {
   const Description d = describe(stage);
   std::vector<std::string> problems = stage.problems;
@@ -54,6 +73,7 @@ Json stage_json(const Stage& stage, bool posed) {
             {"clips", clips_json(stage)},
             {"humanoid", humanoid_json(stage.characters.front())},
             {"morph_targets", d.morph_targets},
+            {"face", face_json(stage)},
             {"muscles", muscles_json(stage, posed)}};
   if (!d.bounds.empty()) json["bounds"] = {{"min", vector_json(d.bounds.low)}, {"max", vector_json(d.bounds.high)}};
   json["problems"] = problems;

@@ -64,7 +64,8 @@ Result<FigureOptions> figure_options(const Words& words) {
   }
   if (words.turntable && (*words.turntable < 1 || *words.turntable > 100'000))
     return failure(ErrorKind::usage, "--turntable {}: expected 1 to 100,000 pictures", *words.turntable);
-  if (words.turntable && figure.sheet) return failure(ErrorKind::usage, "--turntable and --sheet: give one of them");
+  if (words.turntable && figure.sheet && figure.sheet != no_grid)
+    return failure(ErrorKind::usage, "--turntable and --sheet: give one of them");
   figure.turntable = words.turntable.value_or(0);
   if (!words.compare.empty()) figure.compare = words.compare;
   if (!words.compare_as.empty()) {
@@ -174,7 +175,8 @@ void add_render(CLI::App& program, Run& run) {
   command->add_option("--zoom", words->zoom, "An inset near this joint or muscle, at the upper right");
   command->add_option("--plot", words->plot,
                       "A diagram beside the picture: angle (the muscles' heights by it) or profile (along the limb)");
-  command->add_option("--sheet", words->sheet, "COLUMNSxROWS: that many of the frames in one picture");
+  command->add_option("--sheet", words->sheet,
+                      "COLUMNSxROWS: that many of the frames in one picture; none: not the scene's");
   command->add_option("--turntable", words->turntable, "So many pictures round the first selected frame");
   command->add_option("--shard", words->shard, "I/N: the I-th (from 0) of N contiguous parts of the frames");
   command->add_flag("--resume", words->resume, "Keep frames that an earlier run of the same recipe wrote whole");

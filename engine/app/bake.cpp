@@ -1,10 +1,12 @@
 #include "engine/app/bake.h"
 
+#include "engine/app/device_state.h"
 #include "engine/core/files.h"
 #include "engine/core/frame_range.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/temporary_file.h"
 #include "engine/core/text.h"
+#include "engine/face/face_shapes.h"
 #include "engine/gpu/gpu_deformer.h"
 #include "engine/io/gltf_write.h"
 #include "engine/io/obj.h"
@@ -53,9 +55,9 @@ Result<Deform> deform_by_gpu(Device& device, const Stage& stage, const SceneOpti
     if (!deformer) return pass_on(std::move(deformer));
     deformers->push_back(std::move(*deformer));
   }
-  return [deformers](std::size_t i, const CharacterState& state, BakedFrame& frame) -> Result<void> {
+  return [deformers, &stage](std::size_t i, const CharacterState& state, BakedFrame& frame) -> Result<void> {
     GpuDeformer& deformer = (*deformers)[i];
-    deformer.set_state({state.palette, state.morph_weights, state.activations});
+    if (auto ok = load_state(stage.characters[i], state, deformer); !ok) return ok;
     if (auto ok = deformer.run(); !ok) return ok;
     auto words = deformer.read_back();
     if (!words) return pass_on(std::move(words));
@@ -89,9 +91,25 @@ Result<Bytes> encode(const BakedMesh& mesh, const std::string& output, const Sta
   return Bytes(text.begin(), text.end());
 }
 
-/// The character in a T pose, with its humanoid map.
+/// The character's model, its regions made into morph targets.
+Model rig_of(const StagedCharacter& character) {
+  Model model = *character.model;
+  if (character.mesh.face) add_face_shapes(character.mesh, model);
+  return model;
+}
+
+/// Ours, by the names of their morph targets.
+std::vector<VrmExpression> vrm_expressions() {
+  static constexpr const char* words[] = {"none", "block", "blend"};
+  const auto word = [](ExpressionOverride rule) { return words[static_cast<std::size_t>(rule)]; };
+  std::vector<VrmExpression> out;
+  for (const FacePreset& e : expressions()) out.push_back({e.name, word(e.mouth), word(e.blink), word(e.look)});
+  return out;
+}
+
+/// The character in a T pose, with its humanoid map and expressions.
 Result<Bytes> vrm_of(const StagedCharacter& character, const BakeOptions& options) {
-  const auto posed = in_t_pose(*character.model, character.humanoid);
+  const auto posed = in_t_pose(rig_of(character), character.humanoid);
   if (!posed) return tl::unexpected<Error>(posed.error());
   std::map<std::string, int> bones;
   for (std::size_t i = 0; i < humanoid_bone_count; ++i)
@@ -99,14 +117,14 @@ Result<Bytes> vrm_of(const StagedCharacter& character, const BakeOptions& option
       bones[std::string(humanoid_name(static_cast<HumanoidBone>(i)))] = character.humanoid.node[i];
   VrmMeta meta = options.vrm;
   meta.values.try_emplace("name", std::vector<std::string>{std::filesystem::path(options.output).stem().string()});
-  return vrm_glb(*posed, bones, meta);
+  return vrm_glb(*posed, bones, meta, vrm_expressions());
 }
 
 Result<BakeReport> write_rig(const Stage& stage, const BakeOptions& options) {
   if (stage.characters.size() != 1)
     return bad_input("{}: --rig writes one character, the scene has {}", stage.source, stage.characters.size());
   const StagedCharacter& character = stage.characters.front();
-  auto bytes = ending_of(options.output) == ".vrm" ? vrm_of(character, options) : rig_glb(*character.model);
+  auto bytes = ending_of(options.output) == ".vrm" ? vrm_of(character, options) : rig_glb(rig_of(character));
   if (!bytes) return pass_on(std::move(bytes));
   if (auto ok = write_file(options.output, *bytes); !ok) return pass_on(std::move(ok));
   return BakeReport{1, stage.vertices(), stage.triangles()};

@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "engine/app/bench_capture.h"
+#include "engine/app/bench_face.h"
 #include "engine/app/bench_timing.h"
+#include "engine/app/device_state.h"
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/io/png.h"
@@ -57,14 +59,15 @@ std::size_t joint_count(const Stage& stage) {
 class Bench {
  public:
   Bench(Device& device, const Stage& stage, const BenchOptions& options, CaptureBench captures, FrameMaker with,
-        FrameMaker without, std::vector<GpuDeformer> bare)
+        FrameMaker without, std::vector<GpuDeformer> bare, std::optional<FaceBench> face)
       : device_(device),
         stage_(stage),
         options_(options),
         captures_(std::move(captures)),
         with_(std::move(with)),
         without_(std::move(without)),
-        bare_(std::move(bare)) {}
+        bare_(std::move(bare)),
+        face_bench_(std::move(face)) {}
 
   Result<BenchReport> run(double startup_ms) {
     const int rounds = warm_up_rounds + options_.frames_timed;
@@ -91,10 +94,14 @@ class Bench {
     const int frame = frame_of(i);
     std::vector<CharacterState> states;
     pose_.push_back(milliseconds([&] { states = with_.pose(frame); }));
-    upload_.push_back(milliseconds([&] { with_.upload(states); }));
-    for (std::size_t c = 0; c < bare_.size(); ++c)
-      bare_[c].set_state({states[c].palette, states[c].morph_weights, states[c].activations});
+    Result<void> uploaded;
+    upload_.push_back(milliseconds([&] { uploaded = with_.upload(states); }));
+    for (std::size_t c = 0; c < bare_.size() && uploaded; ++c)
+      uploaded = load_state(stage_.characters[c], states[c], bare_[c]);
+    if (!uploaded) return uploaded;
     if (auto ok = time_deform(i); !ok) return ok;
+    if (face_bench_)
+      if (auto ok = face_bench_->round(i, stage_, states); !ok) return ok;
 
     Result<void> ok;
     const Shot shot = with_.shot(frame);
@@ -168,6 +175,7 @@ class Bench {
     for (auto* times : {&pose_, &upload_, &deform_, &deform_bare_, &draw_, &readback_, &encode_, &write_, &frame_,
                         &with_ms_, &without_ms_})
       times->clear();
+    if (face_bench_) face_bench_->forget();
   }
 
   BenchReport report(double startup_ms) const {
@@ -189,6 +197,7 @@ class Bench {
     for (std::size_t i = 0; i < deform_.size(); ++i) ratios.push_back(deform_[i] / deform_bare_[i]);
     for (std::size_t i = 0; i < with_ms_.size(); ++i) costs.push_back(with_ms_[i] / without_ms_[i] - 1.0);
     r.deform_ratio = median(ratios);
+    if (face_bench_) r.face_ms = face_bench_->median_ms();
     r.bulge_cost = median(costs);
     r.bulge_fps = 1000.0 / median(with_ms_);
     r.ssd_fps = 1000.0 / median(without_ms_);
@@ -203,6 +212,7 @@ class Bench {
   CaptureBench captures_;
   FrameMaker with_, without_;
   std::vector<GpuDeformer> bare_;
+  std::optional<FaceBench> face_bench_;
   std::vector<double> pose_, upload_, deform_, deform_bare_, draw_, readback_, encode_, write_, frame_, with_ms_,
       without_ms_;
 };
@@ -229,7 +239,10 @@ Result<BenchReport> run_bench(Device& device, const Stage& stage, const BenchOpt
     if (!deformer) return pass_on(std::move(deformer));
     bare.push_back(std::move(*deformer));
   }
-  return Bench(device, stage, options, std::move(*captures), std::move(*with), std::move(*without), std::move(bare))
+  auto face = FaceBench::create(device, stage);
+  if (!face) return pass_on(std::move(face));
+  return Bench(device, stage, options, std::move(*captures), std::move(*with), std::move(*without), std::move(bare),
+               std::move(*face))
       .run(startup_ms);
 }
 

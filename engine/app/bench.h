@@ -27,10 +27,11 @@ struct Throughput {
 struct BenchReport {
   std::size_t vertices = 0, triangles = 0, joints = 0, instances = 0;
   Timing pose, upload, deform, draw, readback, encode, frame;
-  Timing write;               ///< of an encoded PNG to the disk
-  Timing film;                ///< a picture into an .mp4, one after another with nothing beside it
-  Timing deform_bare;         ///< a bare 4-influence SSD kernel of the same layout, interleaved with `deform`
-  double deform_ratio = 0.0;  ///< median over rounds of deform / deform_bare
+  Timing write;                   ///< of an encoded PNG to the disk
+  Timing film;                    ///< a picture into an .mp4, one after another with nothing beside it
+  Timing deform_bare;             ///< a bare 4-influence SSD kernel of the same layout, interleaved with `deform`
+  double deform_ratio = 0.0;      ///< median over rounds of deform / deform_bare
+  std::optional<double> face_ms;  ///< median over interleaved rounds of what faces add to plain SSD; absent: no face
   double ssd_fps = 0.0, bulge_fps = 0.0;
   Throughput film_capture, png_capture;  ///< into an .mp4; into numbered pictures
   double bulge_cost = 0.0;               ///< median over interleaved pairs of frames of (with / without) - 1

@@ -61,6 +61,7 @@ std::string overlay_words(const OverlayOptions& options) {
 }
 
 Result<Grid> parse_grid(std::string_view text) {
+  if (text == "none") return no_grid;
   const std::vector<std::string> parts = split(text, 'x');
   if (parts.size() == 2) {
     const auto columns = parse_integer(parts[0]), rows = parse_integer(parts[1]);
@@ -68,7 +69,8 @@ Result<Grid> parse_grid(std::string_view text) {
         *columns * *rows <= most_grid_places)
       return Grid{static_cast<int>(*columns), static_cast<int>(*rows)};
   }
-  return failure(ErrorKind::usage, "--sheet {}: expected COLUMNSxROWS, at most {} places", text, most_grid_places);
+  return failure(ErrorKind::usage, "--sheet {}: expected COLUMNSxROWS, at most {} places, or none", text,
+                 most_grid_places);
 }
 
 FigureLook figure_look(const FigureOptions& options, const Look& look) {
@@ -86,8 +88,8 @@ FigureLook figure_look(const FigureOptions& options, const Look& look) {
   if (figure.zoom == "none") figure.zoom.clear();
   figure.plot = options.plot.value_or(look.plot);
   figure.turntable = options.turntable;
-  figure.sheet = options.sheet;
-  if (figure.sheet || figure.turntable > 0) return figure;
+  if (options.sheet && options.sheet != no_grid) figure.sheet = options.sheet;
+  if (options.sheet || figure.turntable > 0) return figure;
   figure.sheet = look.sheet;
   figure.captions = look.captions;
   return figure;

@@ -36,6 +36,9 @@ Result<OverlayOptions> parse_overlay(std::string_view text);
 /// The same words again, "skeleton, wire".
 std::string overlay_words(const OverlayOptions& overlay);
 
+/// `--sheet none`: the scene's is taken away.
+constexpr Grid no_grid{0, 0};
+
 /// `--sheet 4x3`. Fails as usage.
 Result<Grid> parse_grid(std::string_view text);
 

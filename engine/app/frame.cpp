@@ -1,5 +1,7 @@
 #include "engine/app/frame.h"
 
+#include "engine/app/device_state.h"
+
 namespace sinew {
 namespace {
 
@@ -90,7 +92,7 @@ Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const 
 Result<Picture> FrameMaker::picture(int frame) { return picture(frame, shot(frame)); }
 
 Result<Picture> FrameMaker::picture(int frame, const Shot& shot) {
-  upload(pose(frame));
+  if (auto ok = upload(pose(frame)); !ok) return pass_on(std::move(ok));
   return renderer_.draw(shot);
 }
 
@@ -100,9 +102,10 @@ std::vector<CharacterState> FrameMaker::pose(int frame) const {
   return states;
 }
 
-void FrameMaker::upload(const std::vector<CharacterState>& states) {
+Result<void> FrameMaker::upload(const std::vector<CharacterState>& states) {
   for (std::size_t i = 0; i < states.size(); ++i)
-    renderer_.deformer(i).set_state({states[i].palette, states[i].morph_weights, states[i].activations});
+    if (auto ok = load_state(stage_->characters[i], states[i], renderer_.deformer(i)); !ok) return ok;
+  return {};
 }
 
 CameraPlace FrameMaker::camera_place(int frame) const {

@@ -39,7 +39,7 @@ class FrameMaker {
 
   /// The steps of picture().
   std::vector<CharacterState> pose(int frame) const;
-  void upload(const std::vector<CharacterState>& states);
+  Result<void> upload(const std::vector<CharacterState>& states);
   /// `orbit`: degrees added to the camera's.
   Shot shot(int frame, double orbit = 0.0) const;
   Renderer& renderer() { return renderer_; }

@@ -1,13 +1,10 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
-#include "engine/app/stage.h"
-#include "engine/body/built_in_model.h"
+#include "engine/app/stage_model.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
-#include "engine/io/gltf_read.h"
 #include "engine/io/scene_file.h"
-#include "engine/model/resample.h"
 #include "engine/model/scene_words.h"
 #include "engine/rig/motion_file.h"
 
@@ -26,6 +23,14 @@ class Place {
   tl::unexpected<Error> at(const std::string& pointer, Result<T>&& failed) const {
     Error error = std::move(failed.error());
     if (!prefix_.empty()) error.message = fmt::format("{}{}: {}", prefix_, pointer, error.message);
+    return tl::unexpected<Error>(std::move(error));
+  }
+
+  /// The same where the message begins with the rest of the pointer.
+  template <class T>
+  tl::unexpected<Error> inside(const std::string& pointer, Result<T>&& failed) const {
+    Error error = std::move(failed.error());
+    error.message = prefix_ + pointer + error.message;
     return tl::unexpected<Error>(std::move(error));
   }
 
@@ -72,57 +77,18 @@ Result<OpenedScene> open_scene(const std::string& source) {
   return opened;
 }
 
-/// Of the file, which `hash` has seen, and of all that it refers to: buffers and pictures may lie in files of their
-/// own.
-std::string content_hash(Sha256& hash, const Model& model) {
-  for (const EncodedImage& image : model.images) hash.add(image.bytes);
-  for (const Skin& skin : model.skins) hash.add_all(skin.inverse_bind);
-  for (const Clip& clip : model.clips)
-    for (const Channel& channel : clip.channels) {
-      hash.add_all(channel.times);
-      hash.add_all(channel.values);
-    }
-  for (const Mesh& mesh : model.meshes)
-    for (const Primitive& primitive : mesh.primitives) {
-      hash.add_all(primitive.positions);
-      hash.add_all(primitive.normals);
-      hash.add_all(primitive.tangents);
-      hash.add_all(primitive.texture_coordinates);
-      hash.add_all(primitive.second_texture_coordinates);
-      hash.add_all(primitive.colours);
-      hash.add_all(primitive.indices);
-      hash.add_all(primitive.influences.first);
-      for (const Influence& influence : primitive.influences.entries)
-        hash.add_all(std::vector<double>{double(influence.joint), influence.weight});
-      for (const MorphTarget& target : primitive.morph_targets) {
-        hash.add_all(target.positions);
-        hash.add_all(target.normals);
-      }
-    }
-  return hash.finish();
-}
-
-/// Reads the file once, so that the hash is that of what was parsed, whoever replaces the file meanwhile.
-Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
+/// The head that `builtin:head` stands for, at the age of `frame`; nothing to do for other models.
+Result<void> draw_head(StagedCharacter& character, double frame, const Place& place) {
   const std::string name = character.scene.model.string();
-  if (is_built_in_model(name)) {
-    auto model = built_in_model(name);
-    if (!model) return pass_on(std::move(model));
-    character.model = std::make_unique<Model>(std::move(*model));
-    character.model_hash = name;
-    return {};
+  if (name != "builtin:head") {
+    if (!character.scene.head) return {};
+    return place.at("/head", Result<void>(bad_input("is for \"builtin:head\" alone, not for {}", name)));
   }
-  if (!bytes) {
-    auto read = read_file(character.scene.model);
-    if (!read) return pass_on(std::move(read));
-    bytes = std::move(*read);
-  }
-  Sha256 hash;
-  hash.add(*bytes);
-  auto model = read_gltf(character.scene.model, std::move(*bytes));
-  if (!model) return pass_on(std::move(model));
-  character.model_hash = content_hash(hash, *model);
-  character.model = std::make_unique<Model>(std::move(*model));
+  auto head = DrawnHead::make(character.scene.head.value_or(HeadSpec{}), frame);
+  if (!head) return place.inside("/head", std::move(head));
+  character.face.head = std::make_shared<DrawnHead>(std::move(*head));
+  character.model = std::make_unique<Model>(character.face.head->model());
+  character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
   return {};
 }
 
@@ -202,26 +168,6 @@ Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Pl
   return {};
 }
 
-/// What follows from the model alone.
-Result<void> prepare_model(StagedCharacter& character, const SceneOptions& options, std::optional<Bytes> bytes) {
-  if (auto ok = load_model(character, std::move(bytes)); !ok) return ok;
-  const Model& model = *character.model;
-  character.order = hierarchy_order(model);
-  character.rest_rotations = rest_rotations(model, character.order);
-  if (auto ok = check_drawn_vertices(model); !ok) return ok;
-  character.mesh = character_mesh(model);
-  if (options.vertices > 0) {
-    auto mesh = resample(character.mesh, options.vertices);
-    if (!mesh) return bad_input("{}: {}", character.scene.model.string(), mesh.error().message);
-    character.mesh = std::move(*mesh);
-  }
-  character.rest = rest_shape(model, character.mesh, character.order);
-  for (MeshPart& part : character.mesh.parts)
-    if (part.vertex_count > 0) part.mirrored = glm::determinant(character.rest.blend[part.first_vertex]) < 0.0;
-  character.humanoid = find_humanoid(model, character.rest.global);
-  return {};
-}
-
 /// What the scene makes of the model, which is there already.
 Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place,
                          std::vector<std::string>& problems) {
@@ -233,6 +179,8 @@ Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options
     character.motion = std::move(*motion);
   }
   if (auto ok = find_tracks(character, place); !ok) return ok;
+  if (auto ok = stage_face(character.scene, *character.model, character.mesh, character.face); !ok)
+    return place.inside("", std::move(ok));
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
   for (const PlacedMuscle& placed : character.muscles)
@@ -245,7 +193,7 @@ Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options
 Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
                      std::vector<std::string>& problems) {
   auto bytes = std::exchange(opened.model_bytes, std::nullopt);
-  if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
+  if (auto ok = stage_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
   return prepare_use(character, options, opened.bare_model, place, problems);
 }
 
@@ -254,9 +202,18 @@ void note_unsupported(const Character& character, std::vector<std::string>& prob
   const auto note = [&](bool asked, const char* what) {
     if (asked) problems.push_back(fmt::format("{}: \"{}\" is not shown yet", character.model.string(), what));
   };
-  note(character.expressions.has_value(), "expressions");
-  note(!character.regions.empty(), "regions");
   note(!character.emotion.empty(), "emotion");
+}
+
+/// What of the faces is held at limits, once a channel.
+void note_held(Stage& stage) {
+  for (StagedCharacter& character : stage.characters) {
+    character.face.held = held_over(character.face, character.mesh, stage.range.first, stage.range.last);
+    for (const auto& [held, frame] : character.face.held)
+      stage.problems.push_back(fmt::format("{}: {} is held at {:.4g}, asked for {:.4g} (frame {})",
+                                           character.scene.model.string(), channel_word(held.channel), held.held,
+                                           held.asked, frame));
+  }
 }
 
 /// From frame 0 to the last frame that a clip or a key has.
@@ -275,6 +232,8 @@ FrameSpan natural_range(const Stage& stage) {
       last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
     if (character.motion) last = std::max(last, std::ceil(last_frame(*character.motion, stage.scene.fps) - 1e-6));
     for (const StagedCharacter::JointTrack& track : character.tracks) reach(track.degrees);
+    last = std::max(last, std::ceil(reach_of(character.face.track).second));
+    if (character.scene.head) reach(character.scene.head->age);
   }
   return {0, static_cast<int>(std::clamp(last, 0.0, 1e7))};
 }
@@ -304,6 +263,7 @@ std::string hash_scene(const Stage& stage, const SceneOptions& options) {
 Result<void> complete(Stage& stage, const SceneOptions& options) {
   if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
   stage.range = stage.scene.frames.value_or(natural_range(stage));
+  note_held(stage);
   stage.scene_hash = hash_scene(stage, options);
   return {};
 }
@@ -326,6 +286,8 @@ Result<Stage> open_stage(const SceneOptions& options) {
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
+    const double first = stage.scene.frames.value_or(FrameSpan{}).first;
+    if (auto ok = draw_head(staged, first, place); !ok) return pass_on(std::move(ok));
     if (auto ok = prepare(staged, with_library, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
   }
   if (auto ok = complete(stage, options); !ok) return pass_on(std::move(ok));
@@ -359,8 +321,10 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
     StagedCharacter& staged = next.characters.emplace_back();
     staged.scene = character;
     std::size_t same = 0;
-    while (same < stage.characters.size() && (taken[same] || stage.characters[same].scene.model != character.model))
-      ++same;
+    const auto is_other = [&](const StagedCharacter& old) {
+      return !old.model || old.scene.model != character.model || old.scene.head != character.head;
+    };
+    while (same < stage.characters.size() && (taken[same] || is_other(stage.characters[same]))) ++same;
     if (same < stage.characters.size()) {
       StagedCharacter& old = stage.characters[same];
       taken[same] = true;
@@ -372,9 +336,12 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
       staged.humanoid = old.humanoid;
       staged.mesh = std::move(old.mesh);
       staged.rest = std::move(old.rest);
+      staged.face.head = old.face.head;
     } else {
       taken_from.push_back(-1);
-      if (auto ok = prepare_model(staged, with_library, std::nullopt); !ok)
+      const double first = scene.frames.value_or(FrameSpan{}).first;
+      if (auto ok = draw_head(staged, first, place); !ok) return fail(ok.error());
+      if (auto ok = stage_model(staged, with_library, std::nullopt); !ok)
         return fail(place.at("/model", std::move(ok)).value());
     }
     if (auto ok = prepare_use(staged, with_library, false, place, next.problems); !ok) return fail(ok.error());

@@ -1,5 +1,6 @@
 #include "engine/app/parity.h"
 
+#include "engine/app/device_state.h"
 #include "engine/core/interrupt.h"
 
 namespace sinew {
@@ -74,7 +75,7 @@ Result<ParityReport> compare_with_reference(Device& device, const Stage& stage, 
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
     for (std::size_t i = 0; i < deformers.size(); ++i) {
       const CharacterState state = character_state(stage, i, frame);
-      deformers[i].set_state({state.palette, state.morph_weights, state.activations});
+      if (auto ok = load_state(stage.characters[i], state, deformers[i]); !ok) return pass_on(std::move(ok));
       if (auto ok = deformers[i].run(); !ok) return pass_on(std::move(ok));
       const auto words = deformers[i].read_back();
       if (!words) return tl::unexpected<Error>(words.error());

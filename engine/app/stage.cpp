@@ -41,6 +41,8 @@ std::set<int> bounds_frames(const FrameSpan& range, const StagedCharacter& chara
   add_key_frames(character.scene.position, range, frames);
   add_key_frames(character.scene.turn, range, frames);
   for (const StagedCharacter::JointTrack& track : character.tracks) add_key_frames(track.degrees, range, frames);
+  for (const FaceTrack::Keys& keys : character.face.track.keys) add_key_frames(keys.strength, range, frames);
+  for (const FaceTrack::Region& region : character.face.track.regions) add_key_frames(region.numbers, range, frames);
   return frames;
 }
 
@@ -81,6 +83,9 @@ CharacterState character_state(const Stage& stage, std::size_t index, double fra
   state.global = global_transforms(*character.model, character.order, pose);
   state.palette = palette_transforms(character.mesh, state.global, placement(character.scene, frame));
   state.morph_weights = morph_slot_weights(character.mesh, pose);
+  state.mesh = mesh_at(character.face, character.mesh, frame);
+  state.face = face_state_at(character.face, state.mesh ? *state.mesh : character.mesh, frame);
+  if (character.face.targets) character.face.targets->add_weights(character.face.track, frame, state.morph_weights);
   for (const PlacedMuscle& placed : character.muscles) {
     const double angle = placed.driver.degrees(state.global);
     const Muscle& muscle = placed.muscle;
@@ -94,8 +99,9 @@ DeformedVertices deform_on_cpu(const StagedCharacter& character, const Character
   std::vector<ActiveMuscle> active;
   for (std::size_t i = 0; i < character.muscles.size(); ++i)
     active.push_back({character.muscles[i].muscle, character.muscles[i].region, state.activations[i]});
-  return deform_reference(character.mesh, character.rest,
-                          {state.palette, state.morph_weights, active, deformer, bulge});
+  return deform_reference(
+      state.mesh ? *state.mesh : character.mesh, character.rest,
+      {state.palette, state.morph_weights, active, deformer, bulge, state.face ? &*state.face : nullptr});
 }
 
 Bounds rest_bounds(const Stage& stage) {
@@ -125,6 +131,7 @@ Result<void> check_not_an_input(const Stage& stage, const std::string& output) {
   for (const StagedCharacter& character : stage.characters) {
     inputs.push_back(character.scene.model);
     if (character.motion) inputs.push_back(character.motion->file);
+    if (character.scene.head) inputs.push_back(character.scene.head->file);
   }
   std::error_code error;
   for (const std::filesystem::path& input : inputs)

@@ -8,6 +8,7 @@
 
 #include "engine/app/motion_use.h"
 #include "engine/app/options.h"
+#include "engine/app/staged_face.h"
 #include "engine/body/muscle_placement.h"
 #include "engine/deform/reference.h"
 
@@ -21,8 +22,9 @@ struct StagedCharacter {
   std::vector<int> order;  ///< hierarchy_order
   std::vector<Quat> rest_rotations;
   Humanoid humanoid;
-  CharacterMesh mesh;
+  CharacterMesh mesh;  ///< at the first frame: a head may change its age (CharacterState::mesh)
   RestShape rest;
+  StagedFace face;
   std::vector<PlacedMuscle> muscles;
   int clip = -1;  ///< index into the model's clips, -1: none
   std::optional<StagedMotion> motion;
@@ -38,10 +40,12 @@ struct StagedCharacter {
 
 /// One character at one frame: what both deformers take.
 struct CharacterState {
-  std::vector<Mat4> global;           ///< [nodes] before `placement`, model space
-  std::vector<Mat34> palette;         ///< [mesh.palette] world space
-  std::vector<double> morph_weights;  ///< [mesh.morph_slots]
-  std::vector<double> activations;    ///< [muscles] delta, times the strength
+  std::vector<Mat4> global;                   ///< [nodes] before `placement`, model space
+  std::vector<Mat34> palette;                 ///< [mesh.palette] world space
+  std::vector<double> morph_weights;          ///< [mesh.morph_slots]
+  std::vector<double> activations;            ///< [muscles] delta, times the strength
+  std::optional<FaceState> face;              ///< of a mesh with a face
+  std::shared_ptr<const CharacterMesh> mesh;  ///< in place of the character's, where this frame has one of its own
 };
 
 struct Stage {

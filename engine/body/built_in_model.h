@@ -9,7 +9,7 @@
 namespace sinew {
 
 /// "builtin:arm" (arm.h); "builtin:figure", the figure with its default options; and "builtin:skeleton",
-/// "builtin:woman", "builtin:poser", its presets (figure.h). The same name gives the same model to the bit. Fails as
+/// "builtin:woman", "builtin:poser", its presets (figure.h); "builtin:head", an adult's (face/drawn_head.h). The same name gives the same model to the bit. Fails as
 /// bad_input for another name, with the nearest known one.
 Result<Model> built_in_model(std::string_view name);
 

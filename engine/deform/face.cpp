@@ -44,23 +44,25 @@ Vec3 posed_vertex(const FaceRig& rig, const FaceState& state, std::size_t v, con
 }
 
 Vec3 posed_normal(const FaceRig& rig, const FaceState& state, std::size_t v, const Vec3& rest) {
-  const FaceVertex& vertex = rig.vertices[v];
-  if (vertex.ball) {
-    const Vec2& gaze = state.gaze[static_cast<std::size_t>(vertex.eye)];
-    return turned_y(turned_x(rest, -gaze.y), gaze.x);
-  }
   Vec3 n = rest;
   for (std::uint32_t i = rig.first[v]; i < rig.first[v + 1]; ++i)
     n += state.signals[rig.deltas[i].signal] * rig.deltas[i].normal;
-  n = turned_x(n, glm::mix(vertex.jaw, vertex.jaw_sealed, state.seal) * state.jaw_angle);
-  if (vertex.eye >= 0) {
-    const auto eye = static_cast<std::size_t>(vertex.eye);
-    n = turned_x(n, vertex.close_upper * state.upper_lid[eye] - vertex.close_lower * state.lower_lid[eye]);
-  }
-  return unit_or(n, rest);
+  return unit_or(turned_with_face(rig, state, v, n), rest);
 }
 
 }  // namespace
+
+Vec3 turned_with_face(const FaceRig& rig, const FaceState& state, std::size_t v, const Vec3& direction) {
+  const FaceVertex& vertex = rig.vertices[v];
+  if (vertex.ball) {
+    const Vec2& gaze = state.gaze[static_cast<std::size_t>(vertex.eye)];
+    return turned_y(turned_x(direction, -gaze.y), gaze.x);
+  }
+  Vec3 turned = turned_x(direction, glm::mix(vertex.jaw, vertex.jaw_sealed, state.seal) * state.jaw_angle);
+  if (vertex.eye < 0) return turned;
+  const auto eye = static_cast<std::size_t>(vertex.eye);
+  return turned_x(turned, vertex.close_upper * state.upper_lid[eye] - vertex.close_lower * state.lower_lid[eye]);
+}
 
 FaceState face_state(const FaceRig& rig, const FaceChannels& channels) {
   using C = FaceChannel;

@@ -38,6 +38,9 @@ struct FaceState {
 /// `channels` within limits.
 FaceState face_state(const FaceRig& rig, const FaceChannels& channels);
 
+/// A direction at a vertex, turned as jaw, lid or gaze turn the vertex; the face's axes.
+Vec3 turned_with_face(const FaceRig& rig, const FaceState& state, std::size_t vertex, const Vec3& direction);
+
 /// v' = lids(deltas(jaw(v))), pushed out of the eyeball. Normals turn with the vertices and have deltas of their own.
 struct FaceJob {
   const FaceRig& rig;

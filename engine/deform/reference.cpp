@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "engine/deform/character_face.h"
 #include "engine/deform/morph.h"
 #include "engine/deform/rigid.h"
 #include "engine/deform/ssd.h"
@@ -15,7 +16,9 @@ DeformedVertices deform_reference(const CharacterMesh& mesh, const RestShape& re
   out.normals.resize(vertices);
   out.heights.resize(vertices);
   out.blend.resize(vertices);
-  const MorphedVertices bind = morph(mesh, state.morph_weights);
+  MorphedVertices bind = morph(mesh, state.morph_weights);
+  std::vector<Vec4> tangents = mesh.tangents;
+  if (mesh.face && state.face) CharacterFaceJob{*mesh.face, *state.face, bind.positions, bind.normals, tangents}.run();
   const SkinInput input{bind.positions, bind.normals, state.palette, mesh.influences};
   const SkinOutput output{out.positions, out.normals, out.blend};
   switch (state.deformer) {
@@ -26,10 +29,9 @@ DeformedVertices deform_reference(const CharacterMesh& mesh, const RestShape& re
       SsdJob{input, output}.run();
       break;
   }
-  for (std::size_t v = 0; v < mesh.tangents.size(); ++v)
-    out.tangents.push_back(carry_tangent(out.blend[v], mesh.tangents[v]));
-  BulgeJob{state.muscles, state.bulge, bind.normals, rest.blend,    out.blend,
-           out.positions, out.normals, out.heights,  mesh.tangents, out.tangents}
+  for (std::size_t v = 0; v < tangents.size(); ++v) out.tangents.push_back(carry_tangent(out.blend[v], tangents[v]));
+  BulgeJob{state.muscles, state.bulge, bind.normals, rest.blend, out.blend,
+           out.positions, out.normals, out.heights,  tangents,   out.tangents}
       .run();
   for (std::size_t v = 0; v < out.tangents.size(); ++v)
     out.tangents[v] = tangent_in_plane(out.tangents[v], out.normals[v]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/deform/bulge.h"
+#include "engine/deform/face.h"
 #include "engine/deform/rest_shape.h"
 
 namespace sinew {
@@ -16,6 +17,7 @@ struct DeformState {
   std::span<const ActiveMuscle> muscles;
   Deformer deformer = Deformer::ssd;
   BulgeMode bulge = BulgeMode::on;
+  const FaceState* face = nullptr;  ///< of a mesh that has a face; null: at rest
 };
 
 struct DeformedVertices {
@@ -26,7 +28,7 @@ struct DeformedVertices {
   std::vector<Vec4> tangents;   ///< [vertices] unit length, w: side of the bitangent; or empty: the mesh has none
 };
 
-/// Morph targets, then skin, then bulge.
+/// Morph targets, then face, then skin, then bulge.
 DeformedVertices deform_reference(const CharacterMesh& mesh, const RestShape& rest, const DeformState& state);
 
 /// True where the smallest singular value of a blended matrix is under 0.05 of its largest: there a normal's direction

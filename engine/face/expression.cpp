@@ -158,18 +158,25 @@ Result<const FacePreset*> find_expression(std::string_view name) {
                    fmt::join(shown, ", "));
 }
 
-FaceChannels mix_expressions(std::span<const WeighedExpression> shown, bool strict) {
+std::vector<WeighedExpression> overridden(std::span<const WeighedExpression> shown) {
   const double blink = left_over(shown, &FacePreset::blink), mouth = left_over(shown, &FacePreset::mouth),
                look = left_over(shown, &FacePreset::look);
-  FaceChannels out{};
-  for (const WeighedExpression& w : shown) {
+  std::vector<WeighedExpression> out(shown.begin(), shown.end());
+  for (WeighedExpression& w : out) {
     const ExpressionKind kind = w.expression->kind;
-    const double left = kind == ExpressionKind::blink   ? blink
-                        : kind == ExpressionKind::mouth ? mouth
-                        : kind == ExpressionKind::look  ? look
-                                                        : 1.0;
+    w.strength *= kind == ExpressionKind::blink   ? blink
+                  : kind == ExpressionKind::mouth ? mouth
+                  : kind == ExpressionKind::look  ? look
+                                                  : 1.0;
+  }
+  return out;
+}
+
+FaceChannels mix_expressions(std::span<const WeighedExpression> shown, bool strict) {
+  FaceChannels out{};
+  for (const WeighedExpression& w : overridden(shown)) {
     const FaceChannels moves = w.expression->channels(strict);
-    for (std::size_t i = 0; i < face_channels; ++i) out[i] += left * w.strength * moves[i];
+    for (std::size_t i = 0; i < face_channels; ++i) out[i] += w.strength * moves[i];
   }
   return out;
 }

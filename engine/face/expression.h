@@ -45,6 +45,9 @@ struct WeighedExpression {
   double strength;  ///< from 0; past 1 exaggerates, up to the limits
 };
 
+/// The same with blinks, looks and mouths weakened as the others' overrides say.
+std::vector<WeighedExpression> overridden(std::span<const WeighedExpression> shown);
+
 /// The sum of the expressions' moves, blinks, looks and mouths first weakened as the others' overrides say; adult's.
 FaceChannels mix_expressions(std::span<const WeighedExpression> expressions, bool strict);
 

@@ -9,10 +9,9 @@
 #include "engine/face/head_parts.h"
 #include "engine/face/head_skin.h"
 #include "engine/model/face.h"
+#include "engine/model/scene.h"
 
 namespace sinew {
-
-constexpr int default_head_level = 2, most_head_level = 4;
 
 struct Head {
   HeadMeasures measures;

@@ -7,6 +7,7 @@
 #include "engine/core/text.h"
 #include "engine/io/json_reader.h"
 #include "engine/io/json_writer.h"
+#include "engine/model/scene_words.h"
 
 namespace sinew {
 namespace {
@@ -73,8 +74,6 @@ constexpr HeadMeasureField fields[] = {
     {"skull_infant", &M::skull_infant, 0.0, 1.0},
 };
 
-constexpr std::array age_names = {"adult", "young", "adolescent", "child", "infant"};
-
 /// The document is part of the library: that it is well formed is for its test to hold, not for users to hear.
 const Json& document() {
   static const Json parsed = Json::parse(head_measures);
@@ -99,7 +98,7 @@ std::string unknown_measure(std::string_view name) {
 
 HeadMeasures stop(std::size_t i) {
   HeadMeasures out{};
-  for (const HeadMeasureField& field : fields) out.*field.member = document()["ages"][age_names[i]][field.name];
+  for (const HeadMeasureField& field : fields) out.*field.member = document()["ages"][age_names()[i]][field.name];
   return out;
 }
 
@@ -108,8 +107,8 @@ HeadMeasures stop(std::size_t i) {
 std::span<const HeadMeasureField> head_measure_fields() { return fields; }
 
 HeadMeasures measures_of_age(double age) {
-  const double place = std::clamp(age, 0.0, 1.0) * (age_names.size() - 1);
-  const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), age_names.size() - 2);
+  const double place = std::clamp(age, 0.0, 1.0) * double(age_names().size() - 1);
+  const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), age_names().size() - 2);
   const HeadMeasures younger = stop(below + 1);
   HeadMeasures out = stop(below);
   for (const HeadMeasureField& field : fields)
@@ -118,7 +117,7 @@ HeadMeasures measures_of_age(double age) {
 }
 
 Result<double> parse_age(std::string_view text) {
-  const std::vector<std::string> names(age_names.begin(), age_names.end());
+  const auto names = age_names();
   for (std::size_t i = 0; i < names.size(); ++i)
     if (text == names[i]) return double(i) / double(names.size() - 1);
   const auto number = parse_number(text);
@@ -127,9 +126,17 @@ Result<double> parse_age(std::string_view text) {
                  fmt::join(names, ", "), did_you_mean(text, names));
 }
 
+std::span<const std::string> skull_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const auto& [name, changes] : document()["skulls"].items()) names.push_back(name);
+    return names;
+  }();
+  return all;
+}
+
 Result<SkullWeights> parse_skull(std::string_view text) {
-  std::vector<std::string> names;
-  for (const auto& [name, changes] : document()["skulls"].items()) names.push_back(name);
+  const auto names = skull_names();
   SkullWeights out;
   for (const std::string& word : split(text, ',')) {
     const std::vector<std::string> sides = split(word, '=');
@@ -158,11 +165,17 @@ Result<void> apply_measure(std::string_view text, HeadMeasures& measures) {
   const std::size_t equals = text.find('=');
   const auto value = equals == std::string_view::npos ? std::optional<double>() : parse_number(text.substr(equals + 1));
   if (!value) return failure(ErrorKind::usage, "--measure {}: expected NAME=VALUE", text);
-  const HeadMeasureField* field = find_field(text.substr(0, equals));
-  if (field == nullptr) return bad_input("--measure {}: {}", text, unknown_measure(text.substr(0, equals)));
-  if (*value < field->low || *value > field->high)
-    return bad_input("--measure {}: expected {} from {} to {}", text, field->name, field->low, field->high);
-  measures.*field->member = *value;
+  if (auto ok = set_measure(text.substr(0, equals), *value, measures); !ok)
+    return bad_input("--measure {}: {}", text, ok.error().message);
+  return {};
+}
+
+Result<void> set_measure(std::string_view name, double value, HeadMeasures& measures) {
+  const HeadMeasureField* field = find_field(name);
+  if (field == nullptr) return bad_input("{}", unknown_measure(name));
+  if (!(value >= field->low && value <= field->high))
+    return bad_input("{} is {:.4g}, expected from {} to {}", field->name, value, field->low, field->high);
+  measures.*field->member = value;
   return {};
 }
 

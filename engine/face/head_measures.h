@@ -56,6 +56,9 @@ Result<double> parse_age(std::string_view text);
 /// How much of each outline a skull has; none: as measured.
 using SkullWeights = std::map<std::string, double>;
 
+/// square, round, wide, narrow.
+std::span<const std::string> skull_names();
+
 /// "round", or "round=0.5,wide=0.2" with weights from 0 to 1. Fails as usage.
 Result<SkullWeights> parse_skull(std::string_view text);
 
@@ -65,6 +68,9 @@ void apply_skull(const SkullWeights& skull, HeadMeasures& measures);
 /// "NAME=VALUE" set in the measures. Fails as usage where the text has not that form, as bad_input where there is no
 /// such measure or the value is out of its range.
 Result<void> apply_measure(std::string_view text, HeadMeasures& measures);
+
+/// One measure. Fails as bad_input where there is none of that name, or the value is out of its range.
+Result<void> set_measure(std::string_view name, double value, HeadMeasures& measures);
 
 /// Fails as bad_input where measures cross: guide lines out of their order, an eye that leaves the face, a mouth wider
 /// than the jaw.

@@ -113,6 +113,12 @@ Model head_model(const Head& head, const HeadShape* base, std::span<const HeadSh
   return model;
 }
 
+std::vector<std::uint32_t> head_vertices(const Head& head) {
+  std::vector<std::uint32_t> out;
+  for (const MaterialPart& part : parts_of(head)) out.insert(out.end(), part.vertices.begin(), part.vertices.end());
+  return out;
+}
+
 std::vector<std::uint32_t> model_vertices(const Head& head) {
   std::vector<std::uint32_t> out(head.positions.size(), 0);
   std::vector<bool> seen(head.positions.size(), false);

@@ -7,10 +7,7 @@
 
 namespace sinew {
 
-/// One shape for each channel at each of its limits that it can reach alone (its name and "+" or "-", such as
-/// "browLeft.up+"), then one for each expression, VRM preset and ARKit shape; `strict` leaves out of expressions what
-/// the thesis does not have. Where lids shut, the eyeballs draw back a little with them: a lid that moves straight
-/// instead of turning would dip below the ball half way.
+/// Those of shape_recipes(), with the surface's own normals.
 std::vector<HeadShape> head_shapes(const Head& head, bool strict);
 
 /// The head in one state, normals of its surface.

@@ -22,17 +22,18 @@ struct Binding {
   const vk::raii::BufferView* view;
 };
 
-std::array<Binding, 4> shared_bindings(const GpuDeformer::Impl& d) {
+std::array<Binding, 5> shared_bindings(const GpuDeformer::Impl& d) {
   return {Binding{layout::binding_details, &d.detail_words, &d.detail_view},
           Binding{layout::binding_palette, &d.palette, &d.palette_view},
           Binding{layout::binding_morph_weights, &d.morph_weights, &d.morph_view},
-          Binding{layout::binding_muscles, &d.muscle_words, &d.muscle_view}};
+          Binding{layout::binding_muscles, &d.muscle_words, &d.muscle_view},
+          Binding{layout::binding_face, &d.face_words, &d.face_view}};
 }
 
 bool texel_buffers_fit(const VulkanDevice& vulkan, const PackedCharacter& packed, const CharacterMesh& mesh) {
   const std::size_t limit = vulkan.limits.maxTexelBufferElements;
   return packed.details.size() <= limit && mesh.palette.size() * layout::words_per_joint <= limit &&
-         mesh.morph_slots.size() <= limit && limit >= chunk_granularity * layout::words_per_vertex;
+         mesh.morph_slots.size() + face_signals <= limit && limit >= chunk_granularity * layout::words_per_vertex;
 }
 
 /// Vertices that one dispatch may cover.
@@ -56,7 +57,11 @@ void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const C
   vulkan.upload(d.detail_words, std::as_bytes(std::span(packed.details)));
   const std::size_t joints = mesh.palette.size() * layout::words_per_joint;
   d.palette = vulkan.create_buffer(joints * sizeof(Word), usage, MemoryUse::upload);
-  d.morph_weights = vulkan.create_buffer(mesh.morph_slots.size() * sizeof(float), usage, MemoryUse::upload);
+  d.morph_slots = mesh.morph_slots.size();
+  if (mesh.face) d.face = {face_sizes(mesh.face->rig), mesh.face->place};
+  const std::size_t weights = d.morph_slots + (d.face ? face_signals : 0);
+  d.morph_weights = vulkan.create_buffer(weights * sizeof(float), usage, MemoryUse::upload);
+  d.face_words = vulkan.create_buffer(d.face ? layout::words_per_face * sizeof(Word) : 0, usage, MemoryUse::upload);
   d.muscle_words = vulkan.create_buffer(d.muscles.size() * sizeof(layout::MuscleWord), usage, MemoryUse::upload);
   const auto output_usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eTransferSrc;
   d.output = vulkan.create_buffer(d.vertices * output_bytes, output_usage, MemoryUse::device);
@@ -76,12 +81,13 @@ void create_views(GpuDeformer::Impl& d) {
   d.palette_view = view(d.palette, vk::Format::eR32G32B32A32Sfloat);
   d.morph_view = view(d.morph_weights, vk::Format::eR32Sfloat);
   d.muscle_view = view(d.muscle_words, vk::Format::eR32G32B32A32Sfloat);
+  d.face_view = view(d.face_words, vk::Format::eR32G32B32A32Sfloat);
 }
 
 void create_layouts(GpuDeformer::Impl& d, std::size_t chunks) {
   const auto input = d.texel ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eStorageBuffer;
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
-  for (uint32_t number = 0; number <= layout::binding_output_tangents; ++number) {
+  for (uint32_t number = 0; number < layout::deform_bindings; ++number) {
     const bool output = number == layout::binding_output || number == layout::binding_output_tangents;
     bindings.emplace_back(number, output ? vk::DescriptorType::eStorageBuffer : input, 1,
                           vk::ShaderStageFlagBits::eCompute);
@@ -91,20 +97,25 @@ void create_layouts(GpuDeformer::Impl& d, std::size_t chunks) {
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::DeformPush));
   d.pipeline_layout = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *d.set_layout, push));
   const auto sets = static_cast<uint32_t>(chunks);
-  const std::array sizes{vk::DescriptorPoolSize(input, sets * (layout::binding_output_tangents - 1)),
+  const std::array sizes{vk::DescriptorPoolSize(input, sets * (layout::deform_bindings - 2)),
                          vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, sets * 2)};
   d.descriptor_pool = vk::raii::DescriptorPool(device, vk::DescriptorPoolCreateInfo({}, sets, sizes));
 }
 
 void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const GpuDeformerOptions& options) {
   const BulgeMode bulge = d.muscles.empty() ? BulgeMode::off : options.bulge;
-  const std::array<uint32_t, 5> values{static_cast<uint32_t>(options.deformer), static_cast<uint32_t>(bulge),
-                                       packed.has_morphs, packed.has_extra_influences, d.has_tangents};
+  const std::array<uint32_t, 6> values{static_cast<uint32_t>(options.deformer),
+                                       static_cast<uint32_t>(bulge),
+                                       packed.has_morphs,
+                                       packed.has_extra_influences,
+                                       d.has_tangents,
+                                       packed.has_face};
   const std::array entries{vk::SpecializationMapEntry(layout::constant_deformer, 0, 4),
                            vk::SpecializationMapEntry(layout::constant_bulge, 4, 4),
                            vk::SpecializationMapEntry(layout::constant_has_morphs, 8, 4),
                            vk::SpecializationMapEntry(layout::constant_has_extra_influences, 12, 4),
-                           vk::SpecializationMapEntry(layout::constant_has_tangents, 16, 4)};
+                           vk::SpecializationMapEntry(layout::constant_has_tangents, 16, 4),
+                           vk::SpecializationMapEntry(layout::constant_has_face, 20, 4)};
   const vk::SpecializationInfo special(entries.size(), entries.data(), sizeof(values), values.data());
   const Shader full = d.texel ? Shader::deform_texel : Shader::deform_storage;
   const Shader bare = d.texel ? Shader::deform_bare_texel : Shader::deform_bare_storage;
@@ -118,7 +129,7 @@ void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const 
 /// Binds one chunk's part of the vertices and of the output, and all of the rest.
 void write_set(const GpuDeformer::Impl& d, const GpuDeformer::Impl::Chunk& chunk, std::size_t first) {
   std::vector<vk::DescriptorBufferInfo> buffers;
-  buffers.reserve(layout::binding_output_tangents + 1);
+  buffers.reserve(layout::deform_bindings);
   std::vector<vk::WriteDescriptorSet> writes;
   const auto bind_buffer = [&](uint32_t number, const Buffer& buffer, vk::DeviceSize offset, vk::DeviceSize size) {
     buffers.emplace_back(*buffer.buffer, offset, size);
@@ -176,7 +187,7 @@ Result<void> check_ranges(const VulkanDevice& vulkan, const PackedCharacter& pac
   const std::size_t palette = mesh.palette.size() * layout::words_per_joint * sizeof(Word);
   if (details <= limit && palette <= limit) return {};
   return bad_input(
-      "the character's joints, morph targets and muscle regions need {} bytes in one range, the device allows {}",
+      "the character's joints, morph targets, face and muscle regions need {} bytes in one range, the device allows {}",
       std::max(details, palette), limit);
 }
 
@@ -221,6 +232,7 @@ Result<GpuDeformer> GpuDeformer::create(Device& device, const CharacterMesh& mes
   impl->vulkan = &vulkan;
   impl->vertices = packed->vertex_count();
   impl->muscles.assign(muscles.begin(), muscles.end());
+  impl->duplicates.assign(duplicates.begin(), duplicates.end());
   impl->texel =
       options.layout == BufferLayout::texel || (options.layout == BufferLayout::automatic && vulkan.info.cpu && fits);
   if (!impl->texel)
@@ -237,10 +249,30 @@ Result<GpuDeformer> GpuDeformer::create(Device& device, const CharacterMesh& mes
   return GpuDeformer(std::move(impl));
 }
 
+Result<void> GpuDeformer::set_mesh(const CharacterMesh& mesh, const RestShape& rest) {
+  const auto packed = pack_character(mesh, rest, impl_->muscles, impl_->duplicates);
+  if (!packed) return tl::unexpected<Error>(packed.error());
+  const std::size_t details = packed->details.size() * sizeof(Word), room = impl_->detail_words.size;
+  if (packed->vertex_count() != impl_->vertices || details > room)
+    return bad_input("another shape of the character needs {} vertices and {} bytes of details, there are {} and {}",
+                     packed->vertex_count(), details, impl_->vertices, room);
+  if (mesh.face) impl_->face = {face_sizes(mesh.face->rig), mesh.face->place};
+  return vulkan_call("uploading the character's shape", [&] {
+    impl_->vulkan->upload(impl_->vertex_words, std::as_bytes(std::span(packed->vertices)));
+    impl_->vulkan->upload(impl_->detail_words, std::as_bytes(std::span(packed->details)));
+  });
+}
+
 void GpuDeformer::set_state(const GpuDeformState& state) {
   pack_palette(state.palette, impl_->palette.as<Vec4f>());
   const std::span<float> weights = impl_->morph_weights.as<float>();
   for (std::size_t i = 0; i < state.morph_weights.size(); ++i) weights[i] = static_cast<float>(state.morph_weights[i]);
+  if (impl_->face) {
+    const FaceState at_rest, &face = state.face ? *state.face : at_rest;
+    for (std::size_t i = 0; i < face_signals; ++i)
+      weights[impl_->morph_slots + i] = static_cast<float>(face.signals[i]);
+    pack_face(*impl_->face, face, impl_->face_words.as<Vec4f>());
+  }
   const std::span<layout::MuscleWord> words = impl_->muscle_words.as<layout::MuscleWord>();
   for (std::size_t i = 0; i < impl_->muscles.size(); ++i)
     words[i] = pack_muscle(impl_->muscles[i], state.activations[i]);

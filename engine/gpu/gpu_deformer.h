@@ -30,6 +30,7 @@ struct GpuDeformState {
   std::span<const Mat34> palette;         ///< [mesh.palette] F_i, world space
   std::span<const double> morph_weights;  ///< [mesh.morph_slots]
   std::span<const double> activations;    ///< [muscles] delta of engine/definitions.md 6
+  const FaceState* face = nullptr;        ///< of a mesh that has a face; null: at rest
 };
 
 /// Skinned vertices on the device: position and bulge height, normal. Two words of 16 bytes a vertex.
@@ -49,6 +50,11 @@ class GpuDeformer {
   /// Number of dispatches that a frame takes: 1 but for characters beyond the device's range limit.
   std::size_t dispatches() const;
   BufferLayout layout() const;
+
+  /// Another shape of the same character: positions, normals, morph deltas and face of `mesh`, whose vertices,
+  /// influences and kinds of details are those it was created with. Must not run while the device still works on the
+  /// last frame. Fails as bad_input where the details have outgrown their buffer.
+  Result<void> set_mesh(const CharacterMesh& mesh, const RestShape& rest);
 
   /// Writes a frame's palette, weights and activations where the next dispatch reads them. Must not run while the
   /// device still works on the last frame.

@@ -19,10 +19,14 @@ struct GpuDeformer::Impl {
   std::size_t muscle_count = 0;
   bool texel = false;
   std::vector<PlacedMuscle> muscles;
-  Buffer vertex_words, detail_words, palette, morph_weights, muscle_words, output, readback;
+  std::vector<RigidDuplicate> duplicates;
+  std::size_t morph_slots = 0;
+  std::optional<CharacterFace> face;
+  Buffer vertex_words, detail_words, palette, morph_weights, muscle_words, face_words, output, readback;
   Buffer tangent_words, output_tangents;  ///< a word a vertex where there are tangents, else of one word
   bool has_tangents = false;
-  vk::raii::BufferView detail_view = nullptr, palette_view = nullptr, morph_view = nullptr, muscle_view = nullptr;
+  vk::raii::BufferView detail_view = nullptr, palette_view = nullptr, morph_view = nullptr, muscle_view = nullptr,
+                       face_view = nullptr;
   vk::raii::DescriptorSetLayout set_layout = nullptr;
   vk::raii::PipelineLayout pipeline_layout = nullptr;
   vk::raii::Pipeline pipeline = nullptr;

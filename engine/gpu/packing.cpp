@@ -1,6 +1,9 @@
 #include "engine/gpu/packing.h"
 
+#include <algorithm>
 #include <bit>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace sinew {
 namespace {
@@ -41,12 +44,19 @@ std::vector<std::vector<RegionEntry>> regions_by_vertex(std::size_t vertices, st
   return entries;
 }
 
+/// Which of the face's turns a vertex takes part in (shaders/layout.h).
+std::uint32_t face_turn(const FaceVertex& vertex) {
+  if (vertex.eye < 0) return 0;
+  return static_cast<std::uint32_t>((vertex.ball ? 3 : 1) + vertex.eye);
+}
+
 class Packer {
  public:
   Packer(const CharacterMesh& mesh, const RestShape& rest, std::span<const PlacedMuscle> muscles)
       : mesh_(mesh), rest_(rest), muscles_(muscles), regions_(regions_by_vertex(mesh.vertices(), muscles)) {
-    packed_.details.resize(layout::words_per_region);
+    packed_.details.resize(layout::zero_words);
     packed_.has_morphs = !mesh.morph_deltas.empty();
+    packed_.has_face = mesh.face.has_value();
     for (std::size_t v = 0; v < mesh.vertices(); ++v)
       packed_.has_extra_influences |= mesh.influences.first[v + 1] - mesh.influences.first[v] > 4;
   }
@@ -68,10 +78,12 @@ class Packer {
     const std::uint32_t morphs = mesh_.morph_first[v + 1] - mesh_.morph_first[v];
     const std::uint32_t extra = run.count > 4 ? 1 : 0;
     const auto regions = static_cast<std::uint32_t>(regions_[v].size());
-    if (morphs == 0 && extra == 0 && regions == 0) return 0;
+    const bool face = packed_.has_face && mesh_.face->rig.moves(v);
+    if (morphs == 0 && extra == 0 && regions == 0 && !face) return 0;
     const auto index = static_cast<std::uint32_t>(packed_.details.size());
     if (packed_.has_morphs || packed_.has_extra_influences) packed_.details.push_back({morphs, extra, 0, 0});
     for (std::uint32_t i = mesh_.morph_first[v]; i < mesh_.morph_first[v + 1]; ++i) add_morph(mesh_.morph_deltas[i]);
+    if (packed_.has_face) add_face(v);
     if (extra != 0) add_extra(run);
     for (const RegionEntry& entry : regions_[v]) add_region(v, entry);
     return regions << layout::link_shift | index;
@@ -80,6 +92,21 @@ class Packer {
   void add_morph(const MorphDelta& delta) {
     packed_.details.push_back(word(delta.position, delta.slot));
     packed_.details.push_back(word(delta.normal, 0));
+  }
+
+  void add_face(std::size_t v) {
+    const auto& [rig, place] = *mesh_.face;
+    const FaceVertex& vertex = rig.vertices[v];
+    packed_.details.push_back(
+        {bits(vertex.jaw), bits(vertex.jaw_sealed), bits(vertex.close_upper), bits(vertex.close_lower)});
+    packed_.details.push_back(
+        {bits(place.unit * vertex.least_distance), face_turn(vertex), rig.first[v + 1] - rig.first[v], 0});
+    const auto first_signal = static_cast<std::uint32_t>(mesh_.morph_slots.size());
+    for (std::uint32_t i = rig.first[v]; i < rig.first[v + 1]; ++i) {
+      const FaceDelta& delta = rig.deltas[i];
+      packed_.details.push_back(word(place.unit * (place.axes * delta.position), first_signal + delta.signal));
+      packed_.details.push_back(word(place.axes * delta.normal, 0));
+    }
   }
 
   void add_extra(const PaddedRun& run) {
@@ -127,7 +154,7 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
   }
   PackedCharacter packed = packer.finish();
   if (packed.details.size() > layout::link_mask)
-    return bad_input("the character's morph targets and muscle regions need {} words, {} is the most",
+    return bad_input("the character's morph targets, face and muscle regions need {} words, {} is the most",
                      packed.details.size(), layout::link_mask);
   return packed;
 }
@@ -135,6 +162,27 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
 void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words) {
   for (std::size_t i = 0; i < palette.size(); ++i)
     for (std::size_t row = 0; row < 3; ++row) words[i * layout::words_per_joint + row] = Vec4f(palette[i].row[row]);
+}
+
+void pack_face(const CharacterFace& face, const FaceState& state, std::span<Vec4f> words) {
+  const auto& [rig, place] = face;
+  const auto in_bind = [&place = place](const Vec3& p) { return place.origin + place.unit * (place.axes * p); };
+  words[0] = Vec4f(Vec4(in_bind(rig.hinge), state.jaw_angle));
+  words[1] = Vec4f(Vec4(place.axes[0], state.seal));
+  words[2] = Vec4f(Vec4(place.unit * state.jaw_forward * place.axes[2], 0.0));
+  std::ranges::fill(words.subspan(layout::words_of_jaw), Vec4f(0.0f));
+  for (std::uint32_t eye = 0; eye < 2; ++eye) {
+    const Vec4 centre(in_bind(rig.eye_centres[eye]), 0.0);
+    const auto lid = words.subspan(layout::words_of_jaw + (1 + eye) * layout::words_per_face_turn);
+    lid[0] = Vec4f(centre + Vec4(0.0, 0.0, 0.0, state.upper_lid[eye]));
+    lid[1].w = static_cast<float>(state.lower_lid[eye]);
+    const auto ball = words.subspan(layout::words_of_jaw + (3 + eye) * layout::words_per_face_turn);
+    const Vec2& gaze = state.gaze[eye];
+    const Mat3 turn(glm::rotate(Mat4(1.0), gaze.x, Vec3(0, 1, 0)) * glm::rotate(Mat4(1.0), -gaze.y, Vec3(1, 0, 0)));
+    const Mat3 adds = place.axes * (state.eye_share * turn - Mat3(1.0)) * glm::transpose(place.axes);
+    ball[0] = Vec4f(centre);
+    for (int row = 0; row < 3; ++row) ball[1 + row] = Vec4f(adds[0][row], adds[1][row], adds[2][row], 0.0f);
+  }
 }
 
 layout::MuscleWord pack_muscle(const PlacedMuscle& placed, double activation) {

@@ -7,6 +7,7 @@
 
 #include "engine/body/muscle_placement.h"
 #include "engine/deform/bulge.h"
+#include "engine/deform/face.h"
 #include "engine/deform/rest_shape.h"
 #include "engine/deform/rigid_split.h"
 #include "shaders/layout.h"
@@ -20,11 +21,12 @@ struct Word {
 };
 
 struct PackedCharacter {
-  std::vector<Word> vertices;  ///< [vertices * layout::words_per_vertex]
-  std::vector<Word> details;   ///< of the vertices that have any; the first few words are zero
+  std::vector<Word> vertices;   ///< [vertices * layout::words_per_vertex]
+  std::vector<Word> details;    ///< of the vertices that have any; the first few words are zero
   std::vector<Vec4f> tangents;  ///< [vertices], or empty
   bool has_morphs = false;
   bool has_extra_influences = false;
+  bool has_face = false;
 
   std::size_t vertex_count() const { return vertices.size() / layout::words_per_vertex; }
 };
@@ -38,6 +40,9 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
 
 /// The palette's rows as floats, [joints * layout::words_per_joint].
 void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words);
+
+/// What a frame's face is for all vertices alike, but for the signals. [layout::words_per_face]
+void pack_face(const CharacterFace& face, const FaceState& state, std::span<Vec4f> words);
 
 /// A muscle at an activation.
 layout::MuscleWord pack_muscle(const PlacedMuscle& placed, double activation);

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <set>
 
+#include "engine/io/face_reader.h"
 #include "engine/io/keyed_reader.h"
 #include "engine/model/scene_words.h"
 
@@ -98,46 +99,6 @@ std::map<std::string, Keyed<Vec3>> read_joint_keys(const JsonValue& value) {
   return keys;
 }
 
-double read_strength(const JsonValue& value) { return value.number({0, 1}); }
-
-constexpr std::string_view expression_key_shape = "[frame, name, strength]";
-constexpr std::size_t expression_key_width = 3;
-
-Keyed<ExpressionWeight> read_expressions(const JsonValue& value) {
-  return read_keys<ExpressionWeight>(value, expression_key_shape, expression_key_width, [](const JsonValue& key) {
-    const auto expression = static_cast<Expression>(key.item(1).word(expression_names()));
-    return ExpressionWeight{expression, read_strength(key.item(2))};
-  });
-}
-
-std::vector<EmotionCue> read_emotion(const JsonValue& value) {
-  std::vector<EmotionCue> cues;
-  if (!value.expect_list(0, value.size(), fmt::format("a list of {}", expression_key_shape))) return cues;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const JsonValue cue = value.item(i);
-    if (!cue.expect_list(expression_key_width, expression_key_width, expression_key_shape)) continue;
-    const double frame = read_key_frame(cue.item(0));
-    if (!cues.empty()) expect_rising(cue, cues.back().frame, frame);
-    const auto emotion = static_cast<Expression>(cue.item(1).word(expression_names()));
-    cues.push_back({frame, emotion, read_strength(cue.item(2))});
-  }
-  return cues;
-}
-
-std::map<std::string, Keyed<std::vector<double>>> read_regions(const JsonValue& value) {
-  std::map<std::string, Keyed<std::vector<double>>> regions;
-  std::vector<std::string> known;
-  for (const FaceRegion& region : face_regions()) known.push_back(region.name);
-  if (!value.expect_object(known)) return regions;
-  for (const FaceRegion& region : face_regions())
-    if (const auto keys = value.find(region.name))
-      regions.emplace(region.name, read_keys<std::vector<double>>(
-                                       *keys, fmt::format("[frame, {}]", region.shape), 2, [&](const JsonValue& key) {
-                                         return key.item(1).numbers(region.numbers, region.shape);
-                                       }));
-  return regions;
-}
-
 }  // namespace
 
 fs::path resolved_path(const std::string& written, const fs::path& folder) {
@@ -146,8 +107,8 @@ fs::path resolved_path(const std::string& written, const fs::path& folder) {
 }
 
 Character read_character(const JsonValue& value, const fs::path& folder) {
-  static const std::vector<std::string> known{"model",   "clip", "motion",      "position", "turn",   "count",
-                                              "muscles", "keys", "expressions", "regions",  "emotion"};
+  static const std::vector<std::string> known{"model",   "clip", "motion", "position",    "turn",    "count",
+                                              "muscles", "keys", "head",   "expressions", "regions", "emotion"};
   Character character;
   if (!value.expect_object(known)) return character;
   if (const auto model =
@@ -160,9 +121,7 @@ Character read_character(const JsonValue& value, const fs::path& folder) {
   if (const auto count = value.find("count")) character.count = read_count(*count);
   if (const auto muscles = value.find("muscles")) character.muscles = read_muscles(*muscles);
   if (const auto keys = value.find("keys")) character.keys = read_joint_keys(*keys);
-  if (const auto expressions = value.find("expressions")) character.expressions = read_expressions(*expressions);
-  if (const auto regions = value.find("regions")) character.regions = read_regions(*regions);
-  if (const auto emotion = value.find("emotion")) character.emotion = read_emotion(*emotion);
+  read_face(value, folder, character);
   return character;
 }
 

@@ -1,6 +1,7 @@
 #include <system_error>
 
-#include "engine/io/json_writer.h"
+#include "engine/io/face_writer.h"
+#include "engine/io/keyed_writer.h"
 #include "engine/io/scene_file.h"
 #include "engine/model/scene_words.h"
 
@@ -9,61 +10,6 @@ namespace {
 
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-template <class Enum>
-const std::string& word(Enum value, std::span<const std::string> words) {
-  return words[static_cast<std::size_t>(value)];
-}
-
-ordered_json to_json(double x) { return json_number(x); }
-ordered_json to_json(const std::string& text) { return text; }
-ordered_json to_json(const Vec2& v) { return ordered_json::array({json_number(v.x), json_number(v.y)}); }
-ordered_json to_json(const Vec3& v) {
-  return ordered_json::array({json_number(v.x), json_number(v.y), json_number(v.z)});
-}
-ordered_json to_json(const std::vector<double>& numbers) {
-  ordered_json list = ordered_json::array();
-  for (const double x : numbers) list.push_back(json_number(x));
-  return list;
-}
-
-template <class T>
-ordered_json key_to_json(const Key<T>& key) {
-  return ordered_json::array({json_number(key.frame), to_json(key.value)});
-}
-
-ordered_json key_to_json(const Key<ExpressionWeight>& key) {
-  return ordered_json::array(
-      {json_number(key.frame), word(key.value.expression, expression_names()), json_number(key.value.strength)});
-}
-
-template <class T>
-ordered_json keys_to_json(const Keyed<T>& keyed) {
-  ordered_json list = ordered_json::array();
-  for (const Key<T>& key : keyed.keys) list.push_back(key_to_json(key));
-  if (keyed.ease == Ease::linear) return list;
-  return {{"ease", word(keyed.ease, ease_names())}, {"keys", std::move(list)}};
-}
-
-/// A single value where one says it all, else keys.
-template <class T>
-ordered_json keyed_to_json(const Keyed<T>& keyed) {
-  return keyed == Keyed<T>::constant(keyed.keys.front().value) ? to_json(keyed.keys.front().value)
-                                                               : keys_to_json(keyed);
-}
-
-/// Relative to `folder` where a way there can be told without asking the disk, else absolute, else as it is.
-std::string path_text(const fs::path& path, const fs::path& folder) {
-  if (is_built_in_model(path.string())) return path.string();
-  std::error_code failed;
-  const fs::path base = folder.empty() ? fs::path(".") : folder.lexically_normal();
-  fs::path relative = path.lexically_normal().lexically_relative(base);
-  if (!relative.empty()) return relative.generic_string();
-  const fs::path absolute = fs::absolute(path, failed);
-  if (failed) return path.generic_string();
-  relative = absolute.lexically_normal().lexically_relative(fs::absolute(base, failed).lexically_normal());
-  return (failed || relative.empty() ? absolute : relative).generic_string();
-}
 
 ordered_json clip_to_json(const ClipChoice& clip) {
   if (const int* index = std::get_if<int>(&clip)) return *index;
@@ -120,20 +66,6 @@ ordered_json muscle_to_json(const MuscleSpec& muscle) {
   return object;
 }
 
-template <class T>
-ordered_json map_to_json(const std::map<std::string, Keyed<T>>& map) {
-  ordered_json object = ordered_json::object();
-  for (const auto& [name, keyed] : map) object[name] = keys_to_json(keyed);
-  return object;
-}
-
-ordered_json emotion_to_json(const std::vector<EmotionCue>& cues) {
-  ordered_json list = ordered_json::array();
-  for (const EmotionCue& cue : cues)
-    list.push_back({json_number(cue.frame), word(cue.emotion, expression_names()), json_number(cue.strength)});
-  return list;
-}
-
 ordered_json character_to_json(const Character& character, const fs::path& folder) {
   const Character defaults;
   ordered_json object{{"model", path_text(character.model, folder)}};
@@ -144,9 +76,7 @@ ordered_json character_to_json(const Character& character, const fs::path& folde
   if (character.count != defaults.count) object["count"] = character.count;
   for (const MuscleSpec& muscle : character.muscles) object["muscles"].push_back(muscle_to_json(muscle));
   if (!character.keys.empty()) object["keys"] = map_to_json(character.keys);
-  if (character.expressions) object["expressions"] = keys_to_json(*character.expressions);
-  if (!character.regions.empty()) object["regions"] = map_to_json(character.regions);
-  if (!character.emotion.empty()) object["emotion"] = emotion_to_json(character.emotion);
+  write_face(character, folder, object);
   return object;
 }
 
@@ -172,6 +102,18 @@ void write_figure(ordered_json& object, const Look& look) {
 }
 
 }  // namespace
+
+std::string path_text(const fs::path& path, const fs::path& folder) {
+  if (is_built_in_model(path.string())) return path.string();
+  std::error_code failed;
+  const fs::path base = folder.empty() ? fs::path(".") : folder.lexically_normal();
+  fs::path relative = path.lexically_normal().lexically_relative(base);
+  if (!relative.empty()) return relative.generic_string();
+  const fs::path absolute = fs::absolute(path, failed);
+  if (failed) return path.generic_string();
+  relative = absolute.lexically_normal().lexically_relative(fs::absolute(base, failed).lexically_normal());
+  return (failed || relative.empty() ? absolute : relative).generic_string();
+}
 
 std::string scene_text(const Scene& scene, const fs::path& folder) {
   ordered_json document{{"sinew", 1}, {"fps", json_number(scene.fps)}};

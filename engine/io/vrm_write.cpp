@@ -1,6 +1,7 @@
 #include "engine/io/vrm_write.h"
 
 #include <algorithm>
+#include <set>
 
 #include "engine/core/text.h"
 #include "engine/io/gltf_write_parts.h"
@@ -65,6 +66,43 @@ Json written_meta(const VrmMeta& meta) {
   return out;
 }
 
+/// The presets of VRM 1.0; expressions of other names are custom.
+bool is_vrm_preset(const std::string& name) {
+  static const std::set<std::string> presets{"happy",      "angry",  "sad",      "relaxed",  "surprised", "aa",
+                                             "ih",         "ou",     "ee",       "oh",       "blink",     "blinkLeft",
+                                             "blinkRight", "lookUp", "lookDown", "lookLeft", "lookRight", "neutral"};
+  return presets.contains(name);
+}
+
+/// Every morph target of that name, at the node that draws it.
+Json written_binds(const Model& model, const RigLayout& layout, const std::string& name) {
+  Json binds = Json::array();
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    if (layout.drawing_node[node] < 0 || model.meshes[model.nodes[node].mesh].primitives.empty()) continue;
+    const auto& targets = model.meshes[model.nodes[node].mesh].primitives.front().morph_targets;
+    const auto found = std::ranges::find(targets, name, &MorphTarget::name);
+    if (found != targets.end())
+      binds.push_back({{"node", layout.drawing_node[node]}, {"index", found - targets.begin()}, {"weight", 1.0}});
+  }
+  return binds;
+}
+
+Json written_expressions(const Model& model, std::span<const VrmExpression> expressions) {
+  const RigLayout layout = rig_layout(model);
+  Json out = Json::object();
+  for (const VrmExpression& expression : expressions) {
+    Json binds = written_binds(model, layout, expression.name);
+    if (binds.empty()) continue;
+    out[is_vrm_preset(expression.name) ? "preset" : "custom"][expression.name] = {
+        {"morphTargetBinds", std::move(binds)},
+        {"isBinary", false},
+        {"overrideMouth", expression.mouth},
+        {"overrideBlink", expression.blink},
+        {"overrideLookAt", expression.look}};
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<void> add_vrm_meta(VrmMeta& meta, std::string_view word) {
@@ -89,7 +127,8 @@ Result<void> add_vrm_meta(VrmMeta& meta, std::string_view word) {
   return {};
 }
 
-Result<Bytes> vrm_glb(const Model& model, const std::map<std::string, int>& bones, const VrmMeta& meta) {
+Result<Bytes> vrm_glb(const Model& model, const std::map<std::string, int>& bones, const VrmMeta& meta,
+                      std::span<const VrmExpression> expressions) {
   GlbBuilder glb;
   write_rig(model, glb);
   Json human_bones = Json::object();
@@ -97,6 +136,8 @@ Result<Bytes> vrm_glb(const Model& model, const std::map<std::string, int>& bone
   glb.json["extensionsUsed"] = Json::array({"VRMC_vrm"});
   glb.json["extensions"]["VRMC_vrm"] = {
       {"specVersion", "1.0"}, {"meta", written_meta(meta)}, {"humanoid", {{"humanBones", human_bones}}}};
+  Json written = written_expressions(model, expressions);
+  if (!written.empty()) glb.json["extensions"]["VRMC_vrm"]["expressions"] = std::move(written);
   return glb.finish();
 }
 

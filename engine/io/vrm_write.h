@@ -2,6 +2,7 @@
 /// VRM 1.0 out: a rig as .glb with the extension VRMC_vrm.
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +23,17 @@ struct VrmMeta {
 /// Adds "KEY=VALUE"; authors and references grow by one. Fails as usage, naming the known keys or values.
 Result<void> add_vrm_meta(VrmMeta& meta, std::string_view word);
 
-/// The model as rig_glb writes it, with the humanoid map (VRM 1.0 bone to node of the model) and meta. The model should
-/// stand in a T pose (rig/t_pose.h). Fails as rig_glb does.
-Result<Bytes> vrm_glb(const Model& model, const std::map<std::string, int>& bones, const VrmMeta& meta);
+/// An expression of the face: the morph targets of that name, all of them. Overrides are VRM's words: none, block,
+/// blend.
+struct VrmExpression {
+  std::string name;
+  std::string mouth = "none", blink = "none", look = "none";
+};
+
+/// The model as rig_glb writes it, with the humanoid map (VRM 1.0 bone to node of the model), meta, and those of the
+/// expressions that a mesh has morph targets for. The model should stand in a T pose (rig/t_pose.h). Fails as rig_glb
+/// does.
+Result<Bytes> vrm_glb(const Model& model, const std::map<std::string, int>& bones, const VrmMeta& meta,
+                      std::span<const VrmExpression> expressions = {});
 
 }  // namespace sinew

@@ -1,6 +1,7 @@
 #include "engine/model/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <meshoptimizer.h>
@@ -36,6 +37,7 @@ class Builder {
     mesh.morph_slots = like.morph_slots;
     mesh.parts = like.parts;
     mesh.morph_first.push_back(0);
+    if (like.face) mesh.face = {face_sizes(like.face->rig), like.face->place};
   }
 
   void copy(const CharacterMesh& from, std::uint32_t v) {
@@ -44,6 +46,10 @@ class Builder {
     const auto begin = from.morph_deltas.begin();
     mesh.morph_deltas.insert(mesh.morph_deltas.end(), begin + from.morph_first[v], begin + from.morph_first[v + 1]);
     mesh.morph_first.push_back(static_cast<std::uint32_t>(mesh.morph_deltas.size()));
+    if (!from.face) return;
+    const FaceRig& rig = from.face->rig;
+    const auto deltas = rig.deltas.begin();
+    append_vertex(rig.vertices[v], {deltas + rig.first[v], deltas + rig.first[v + 1]}, mesh.face->rig);
   }
 
   void add_midpoint(const CharacterMesh& from, std::uint32_t a, std::uint32_t b) {
@@ -62,6 +68,7 @@ class Builder {
       }
     for (const auto& [slot, delta] : sum) mesh.morph_deltas.push_back(delta);
     mesh.morph_first.push_back(static_cast<std::uint32_t>(mesh.morph_deltas.size()));
+    if (from.face) add_face_midpoint(from.face->rig, a, b);
   }
 
   CharacterMesh mesh;
@@ -71,6 +78,17 @@ class Builder {
     mesh.positions.push_back(position);
     mesh.normals.push_back(normal);
     mesh.influences.add_vertex(run);
+  }
+
+  void add_face_midpoint(const FaceRig& rig, std::uint32_t a, std::uint32_t b) {
+    FaceBlend mean = blend_vertices(rig, std::array{a, b}, std::array{0.5, 0.5});
+    const FaceVertex &one = rig.vertices[a], &other = rig.vertices[b];
+    mean.vertex.eye = std::max(one.eye, other.eye);
+    mean.vertex.ball = one.ball && other.ball;
+    mean.vertex.close_upper = 0.5 * (one.close_upper + other.close_upper);
+    mean.vertex.close_lower = 0.5 * (one.close_lower + other.close_lower);
+    mean.vertex.least_distance = std::min(one.least_distance, other.least_distance);
+    append_vertex(mean.vertex, mean.deltas, mesh.face->rig);
   }
 
   /// Calls what is given with each attribute that this character has, and the list that it goes to.

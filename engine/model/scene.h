@@ -56,12 +56,40 @@ struct MuscleSpec {
   bool operator==(const MuscleSpec&) const = default;
 };
 
+/// More than 1 exaggerates, up to the face's limits.
+constexpr double most_expression_strength = 2.0;
+
 /// How much of one expression; between two keys their weights cross-fade.
 struct ExpressionWeight {
   Expression expression = Expression::neutral;
-  double strength = 1.0;  ///< 0..1
+  double strength = 1.0;  ///< 0..most_expression_strength
   bool operator==(const ExpressionWeight&) const = default;
 };
+
+/// An expression that comes, stays and goes beside whatever else the face does: start at, run until, stop at.
+struct ExpressionCue {
+  std::string expression;      ///< any that the face knows, speech and blinks too; checked where the face is
+  double start = 0.0;          ///< the frame from which it comes
+  double until = 0.0;          ///< up to which it stays, from start on
+  std::optional<double> stop;  ///< at which it is gone, from until on; absent: `fade` frames after it
+  double fade = 6.0;           ///< frames in which it comes, >= 0; it stays at least as long as there is room for
+  double strength = 1.0;       ///< 0..most_expression_strength
+  Ease ease = Ease::linear;    ///< of coming and going
+
+  bool operator==(const ExpressionCue&) const = default;
+};
+
+/// What `builtin:head` is drawn from. Names are checked where the head is made (engine/face).
+struct HeadSpec {
+  Keyed<double> age = Keyed<double>::constant(0);  ///< 0 (adult) to 1 (infant)
+  std::map<std::string, double> skull;             ///< how much of each outline, 0..1
+  std::map<std::string, double> measures;          ///< in place of what age, skull or file say
+  std::optional<int> level;                        ///< of subdivision, 0..most_head_level; absent: the default
+  std::filesystem::path file;                      ///< a head's file of measures, in place of an age; empty: none
+
+  bool operator==(const HeadSpec&) const = default;
+};
+constexpr int default_head_level = 2, most_head_level = 4;
 
 /// Asks for a motion clip with this tag and the expression of that name, their apexes at `frame`.
 struct EmotionCue {
@@ -119,7 +147,9 @@ struct Character {
   int count = 1;                                          ///< copies; more than 1 is refused until crowds exist
   std::vector<MuscleSpec> muscles;                        ///< no two of one muscle_name()
   std::map<std::string, Keyed<Vec3>> keys;                ///< joint name -> degrees about the model's x, y, z, in turn
+  std::optional<HeadSpec> head;                           ///< of builtin:head; absent: an adult's
   std::optional<Keyed<ExpressionWeight>> expressions;     ///< absent: neutral
+  std::vector<ExpressionCue> cues;                        ///< beside `expressions`
   std::map<std::string, Keyed<std::vector<double>>> regions;  ///< one of face_regions() -> its numbers
   std::vector<EmotionCue> emotion;                            ///< frames strictly rising
 

@@ -11,7 +11,7 @@
 namespace sinew {
 
 std::span<const std::string> ease_names() {
-  static const std::array<std::string, 3> names{"linear", "smooth", "step"};
+  static const std::array<std::string, 4> names{"linear", "smooth", "step", "cubic"};
   return names;
 }
 
@@ -68,16 +68,21 @@ std::span<const std::string> muscle_plot_names() {
   return names;
 }
 
+std::span<const std::string> age_names() {
+  static const std::array<std::string, 5> names{"adult", "young", "adolescent", "child", "infant"};
+  return names;
+}
+
 std::span<const std::string> built_in_model_names() {
-  static const std::array<std::string, 5> names{"builtin:arm", "builtin:figure", "builtin:skeleton", "builtin:woman",
-                                                "builtin:poser"};
+  static const std::array<std::string, 6> names{"builtin:arm",   "builtin:figure", "builtin:skeleton",
+                                                "builtin:woman", "builtin:poser",  "builtin:head"};
   return names;
 }
 
 bool is_built_in_model(std::string_view model) { return model.starts_with("builtin:"); }
 
 std::span<const FaceRegion> face_regions() {
-  static const std::array<FaceRegion, 16> regions{{{"browLeft", "[right, up, turn]", 3},
+  static const std::array<FaceRegion, 19> regions{{{"browLeft", "[right, up, turn]", 3},
                                                    {"browRight", "[right, up, turn]", 3},
                                                    {"upperLidLeft", "[close]", 1},
                                                    {"upperLidRight", "[close]", 1},
@@ -92,7 +97,10 @@ std::span<const FaceRegion> face_regions() {
                                                    {"jaw", "[drop]", 1},
                                                    {"cheekLeft", "[up]", 1},
                                                    {"cheekRight", "[up]", 1},
-                                                   {"nose", "[wrinkle]", 1}}};
+                                                   {"nose", "[wrinkle]", 1},
+                                                   {"lipPucker", "[share]", 1},
+                                                   {"lipPress", "[share]", 1},
+                                                   {"lipSeal", "[share]", 1}}};
   return regions;
 }
 

@@ -22,6 +22,9 @@ std::span<const std::string> comparison_names();
 std::span<const std::string> comparison_place_names();
 std::span<const std::string> muscle_plot_names();
 
+/// The ages of heads: 0, 0.25 ... 1.
+std::span<const std::string> age_names();
+
 /// Models that need no file; a scene names them where a path could stand.
 std::span<const std::string> built_in_model_names();
 

@@ -17,6 +17,8 @@ Touched touched(const Scene& a, const Scene& b) {
     if (a.characters[i] == b.characters[i]) continue;
     Character one = a.characters[i];
     one.keys = b.characters[i].keys;
+    one.expressions = b.characters[i].expressions;
+    one.regions = b.characters[i].regions;
     one.position = b.characters[i].position;
     one.turn = b.characters[i].turn;
     if (!(one == b.characters[i])) return Touched::all;

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "engine/core/files.h"
+#include "engine/core/interrupt.h"
 #include "engine/io/png.h"
 #include "engine/render/text.h"
 #include "engine/view/orbit_camera.h"
@@ -347,6 +348,7 @@ Result<ViewerReport> Viewer::run(Window& window) {
   while (!window.is_closing() && (!measured || report.frames < options_.frames)) {
     const bool moving = state_.playback.playing || opening_.valid() || measured;
     window.take_events(!moving && to_rest <= 0);
+    if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
     if (window.had_events()) to_rest = frames_to_rest;
     if (!moving && to_rest-- <= 0) {
       last = Clock::now();

@@ -16,11 +16,12 @@ Model built(const std::string& name) {
   return std::move(*model);
 }
 
+/// A head alone has regions in place of joints.
 TEST(BuiltInModel, EveryNameGivesASkinnedModelAndAlwaysTheSame) {
   for (const std::string& name : built_in_model_names()) {
     const Model one = built(name), two = built(name);
     ASSERT_FALSE(one.meshes.empty()) << name;
-    ASSERT_FALSE(one.skins.empty()) << name;
+    EXPECT_EQ(one.skins.empty(), name == "builtin:head") << name;
     const Primitive &a = one.meshes[0].primitives.at(0), &b = two.meshes.at(0).primitives.at(0);
     EXPECT_EQ(a.positions, b.positions) << name;
     EXPECT_EQ(a.indices, b.indices) << name;

@@ -7,51 +7,35 @@
 namespace sinew::test {
 namespace {
 
-namespace fs = std::filesystem;
+const std::string folder = "thesis";
 
-const fs::path scenes = fs::path(SINEW_SOURCE_DIR) / "scenes/thesis";
-
-Arguments scene_words(const std::string& scene, const Arguments& more = {}) {
-  Arguments words{(scenes / (scene + ".json")).string(), "--samples", "4", "--floor", "on"};
+Arguments figure_words(const std::string& scene, const Arguments& more = {}) {
+  Arguments words = scene_words(folder, scene, {"--floor", "on"});
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(scenes))
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
 }
 
 GoldenPicture golden_of(const std::string& scene) {
   // A near view of an arm, or panels with white between them, leave a fifth of the picture to the background. The
   // figures have more outline than the arm, but four samples a pixel: what falls on the other side of it changes a
   // pixel by a quarter, so the share of pixels stays.
-  return {.name = "thesis/" + scene, .arguments = scene_words(scene), .covered = 0.95};
+  return {.name = folder + "/" + scene, .arguments = figure_words(scene), .covered = 0.95};
 }
 
 class ThesisGolden : public GoldenTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(ThesisGolden, IsWhatItWas) { expect_is_what_it_was(golden_of(GetParam())); }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ThesisGolden, testing::ValuesIn(scene_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, ThesisGolden, testing::ValuesIn(scenes_of(folder)),
                          [](const auto& test) { return "Figure" + test.param; });
 
 class ThesisGoldenFolder : public GoldenTest {};
 
-TEST_F(ThesisGoldenFolder, HasAPictureOfEverySceneAndNoOther) {
-  std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(golden_file("thesis/").parent_path()))
-    found.push_back(entry.path().stem().string());
-  std::ranges::sort(found);
-  EXPECT_EQ(found, scene_names());
-}
+TEST_F(ThesisGoldenFolder, HasAPictureOfEverySceneAndNoOther) { EXPECT_EQ(pictures_of(folder), scenes_of(folder)); }
 
 /// Figures 4.2 to 4.12 in every number, and what chapter 3 explains.
 TEST_F(ThesisGoldenFolder, EveryFigureHasAScene) {
-  const std::vector<std::string> names = scene_names();
+  const std::vector<std::string> names = scenes_of(folder);
   for (const char* figure : {"3_06", "3_10", "3_14", "3_15", "3_16", "3_17", "4_01", "4_02", "4_03", "4_04", "4_05",
                              "4_06", "4_07", "4_08", "4_09", "4_10", "4_11", "4_12"})
     EXPECT_EQ(std::ranges::count_if(names, [&](const std::string& name) { return name.starts_with(figure); }), 1)
@@ -80,7 +64,7 @@ TEST_F(ThesisGoldenFolder, WhatAFigureShowsIsTold) {
                            {"3_16_gaussian", {"--strength", "0.9"}},
                            {"3_16_gaussian", {"--plot", "none"}},
                            {"3_17_bulge_by_angle", {"--plot", "profile"}}})
-    expect_told_apart(scene_words(scene), scene_words(scene, changed), golden_of(scene));
+    expect_told_apart(figure_words(scene), figure_words(scene, changed), golden_of(scene));
 }
 
 }  // namespace

@@ -36,7 +36,10 @@ const std::string everything = R"({ "sinew": 1, "fps": 29.97, "frames": [10, 10]
       "muscles": [ { "preset": "calf", "side": "right", "peak": -0.01, "sigma": [0.1, 0.2], "rest_angle": 115 } ],
       "keys": { "_joint/with~signs": [[0, [1, 2, 3]]],
                 "leftHand": {"ease": "smooth", "keys": [[0, [0, 0, 0]], [5, [0, 0, 30]]]} },
-      "expressions": {"ease": "smooth", "keys": [[0, "doubt", 0.5]]},
+      "head": {"age": {"ease": "cubic", "keys": [[0, "child"], [48, 0.1]]}, "skull": "round",
+               "measures": {"mouth_width": 0.41}, "level": 1},
+      "expressions": {"ease": "smooth", "keys": [[0, "doubt", 0.5], {"expression": "blink", "start": 3, "until": 4,
+                      "stop": 5, "fade": 1, "strength": 0.9, "ease": "step"}]},
       "regions": { "browLeft": [[0, [0.1, 0.2, 10]]], "eyeRight": {"ease": "step", "keys": [[0, [10, -5]]]} },
       "emotion": [[12, "laugh", 1], [40, "fear", 0.25]] },
     { "model": "../models/man.glb", "clip": "none", "motion": "run.bvh", "turn": -45, "position": [1, 2, 3] } ],
@@ -114,6 +117,12 @@ TEST(SceneFile, ReadsWhatIsLessUsual) {
   EXPECT_EQ(arm.turn.value_at(-0.5), 0);
   EXPECT_EQ(arm.turn.value_at(0), 90);
   EXPECT_TRUE(arm.keys.contains("_joint/with~signs"));
+  EXPECT_EQ(arm.head->age, (Keyed<double>{{{0, 0.75}, {48, 0.1}}, Ease::cubic}));
+  EXPECT_EQ(arm.head->skull.at("round"), 1.0);
+  EXPECT_EQ(arm.head->measures.at("mouth_width"), 0.41);
+  EXPECT_EQ(arm.head->level, 1);
+  EXPECT_EQ(arm.expressions->ease, Ease::smooth);
+  EXPECT_EQ(arm.cues.at(0), (ExpressionCue{"blink", 3, 4, 5, 1, 0.9, Ease::step}));
   EXPECT_EQ(arm.emotion.at(1), (EmotionCue{40, Expression::fear, 0.25}));
   const Character& man = scene.characters.at(1);
   EXPECT_EQ(man.model, "/models/man.glb");
@@ -256,6 +265,11 @@ TEST(SceneFile, FindsWhatDoesNotFitTogether) {
   };
   refused(R"("keys": {"a/b": [[5, [0, 0, 0]], [5, [0, 0, 0]]]})", "keys/a~1b/1/0: expected a frame above 5");
   refused(R"("turn": [[0, 1], [-1, 1]])", "turn/1/0: expected a frame above 0");
+  refused(R"("expressions": [{"expression": "fear", "start": 9, "until": 8}])", "expressions/0/until: expected 9");
+  refused(R"("expressions": [{"expression": "fear", "start": 1, "until": 8, "stop": 7}])",
+          "expressions/0/stop: expected 8");
+  refused(R"("expressions": [[9, "fear", 1], {"expression": "fear", "start": 1, "until": 8}, [9, "fear", 1]])",
+          "expressions/2/0: expected a frame above 9");
   refused(R"("emotion": [[9, "fear", 1], [8, "fear", 1]])", "emotion/1/0: expected a frame above 9");
   refused(R"("muscles": [{"preset": "calf", "side": "left"}, {"preset": "calf", "side": "left"}])",
           "muscles/1: a second muscle \"calf_left\"");
@@ -325,6 +339,26 @@ TEST(Keyed, HoldsItsEndsAndEasesBetween) {
   EXPECT_EQ(value.value_at(19.999), 1);
   EXPECT_EQ(value.value_at(20), 3);
   EXPECT_EQ(Keyed<Vec3>::constant({1, 2, 3}).value_at(7), Vec3(1, 2, 3));
+}
+
+TEST(Keyed, ACubicIsSmoothThroughItsKeysAndStaysAmongTheirValues) {
+  const Keyed<double> value{{{0, 0}, {4, 1}, {10, 9}, {12, 9.5}, {20, 2}}, Ease::cubic};
+  for (const auto& key : value.keys) EXPECT_DOUBLE_EQ(value.value_at(key.frame), key.value);
+  constexpr double h = 1e-5;
+  for (const double frame : {4.0, 10.0, 12.0})
+    EXPECT_NEAR(value.value_at(frame) - value.value_at(frame - h), value.value_at(frame + h) - value.value_at(frame),
+                1e-8)
+        << frame;
+  for (std::size_t k = 0; k + 1 < value.keys.size(); ++k)
+    for (double t = 0; t <= 1; t += 0.05) {
+      const auto &a = value.keys[k], &b = value.keys[k + 1];
+      const double v = value.value_at(std::lerp(a.frame, b.frame, t));
+      EXPECT_GE(v, std::min(a.value, b.value) - 1e-12);
+      EXPECT_LE(v, std::max(a.value, b.value) + 1e-12);
+    }
+  // Keys on a straight line make it, but for the rest at both ends.
+  const Keyed<Vec3> line{{{0, Vec3(0)}, {1, Vec3(1, 2, 3)}, {2, Vec3(2, 4, 6)}, {3, Vec3(3, 6, 9)}}, Ease::cubic};
+  EXPECT_NEAR(glm::distance(line.value_at(1.3), 1.3 * Vec3(1, 2, 3)), 0.0, 1e-12);
 }
 
 }  // namespace

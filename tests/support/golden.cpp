@@ -33,6 +33,32 @@ Arguments render_words(const Arguments& more, const fs::path& output) {
   return all;
 }
 
+namespace {
+
+std::vector<std::string> stems(const fs::path& folder, const char* ending) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+fs::path scene_folder(const std::string& folder) { return fs::path(SINEW_SOURCE_DIR) / "scenes" / folder; }
+
+}  // namespace
+
+std::vector<std::string> scenes_of(const std::string& folder) { return stems(scene_folder(folder), ".json"); }
+
+std::vector<std::string> pictures_of(const std::string& folder) {
+  return stems(golden_file(folder + "/").parent_path(), ".png");
+}
+
+Arguments scene_words(const std::string& folder, const std::string& scene, const Arguments& more) {
+  Arguments words{(scene_folder(folder) / (scene + ".json")).string(), "--samples", "4"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 Drawn drawn(const DecodedPng& png, bool transparent) {
   std::size_t pixels = 0;
   std::set<std::array<unsigned char, 3>> colours;

@@ -31,6 +31,13 @@ std::filesystem::path golden_file(const std::string& name);
 /// The arguments of `sinew` that make a golden picture, 480x270.
 Arguments render_words(const Arguments& more, const std::filesystem::path& output);
 
+/// The scenes of scenes/FOLDER, by name and in order. Their pictures are tests/golden/FOLDER.
+std::vector<std::string> scenes_of(const std::string& folder);
+/// The arguments that render one of them, four samples a pixel.
+Arguments scene_words(const std::string& folder, const std::string& scene, const Arguments& more = {});
+/// The pictures that are kept of a folder, by name and in order.
+std::vector<std::string> pictures_of(const std::string& folder);
+
 /// What is not background: how much of the picture, and in how many colours.
 struct Drawn {
   double covered = 0.0;

@@ -1,0 +1,97 @@
+#include "engine/app/stage_model.h"
+
+#include "engine/body/built_in_model.h"
+#include "engine/io/gltf_read.h"
+#include "engine/model/resample.h"
+#include "engine/model/scene_words.h"
+
+namespace sinew {
+namespace {
+
+/// Of the file, which `hash` has seen, and of all that it refers to: buffers and pictures may lie in files of their
+/// own.
+std::string content_hash(Sha256& hash, const Model& model) {
+  for (const EncodedImage& image : model.images) hash.add(image.bytes);
+  for (const Skin& skin : model.skins) hash.add_all(skin.inverse_bind);
+  for (const Clip& clip : model.clips)
+    for (const Channel& channel : clip.channels) {
+      hash.add_all(channel.times);
+      hash.add_all(channel.values);
+    }
+  for (const Mesh& mesh : model.meshes)
+    for (const Primitive& primitive : mesh.primitives) {
+      hash.add_all(primitive.positions);
+      hash.add_all(primitive.normals);
+      hash.add_all(primitive.tangents);
+      hash.add_all(primitive.texture_coordinates);
+      hash.add_all(primitive.second_texture_coordinates);
+      hash.add_all(primitive.colours);
+      hash.add_all(primitive.indices);
+      hash.add_all(primitive.influences.first);
+      for (const Influence& influence : primitive.influences.entries)
+        hash.add_all(std::vector<double>{double(influence.joint), influence.weight});
+      for (const MorphTarget& target : primitive.morph_targets) {
+        hash.add_all(target.positions);
+        hash.add_all(target.normals);
+      }
+    }
+  return hash.finish();
+}
+
+/// Reads the file once, so that the hash is that of what was parsed, whoever replaces the file meanwhile.
+Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
+  const std::string name = character.scene.model.string();
+  if (character.face.head) return {};
+  if (is_built_in_model(name)) {
+    auto model = built_in_model(name);
+    if (!model) return pass_on(std::move(model));
+    character.model = std::make_unique<Model>(std::move(*model));
+    character.model_hash = name;
+    return {};
+  }
+  if (!bytes) {
+    auto read = read_file(character.scene.model);
+    if (!read) return pass_on(std::move(read));
+    bytes = std::move(*read);
+  }
+  Sha256 hash;
+  hash.add(*bytes);
+  auto model = read_gltf(character.scene.model, std::move(*bytes));
+  if (!model) return pass_on(std::move(model));
+  character.model_hash = content_hash(hash, *model);
+  character.model = std::make_unique<Model>(std::move(*model));
+  return {};
+}
+
+/// Whoever knows regions for this mesh: a head that was drawn has its own.
+std::optional<CharacterFace> face_of(const StagedCharacter& character) {
+  if (character.face.head) return character.face.head->face();
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<void> stage_model(StagedCharacter& character, const SceneOptions& options, std::optional<Bytes> bytes) {
+  if (auto ok = load_model(character, std::move(bytes)); !ok) return ok;
+  const Model& model = *character.model;
+  character.order = hierarchy_order(model);
+  character.rest_rotations = rest_rotations(model, character.order);
+  if (auto ok = check_drawn_vertices(model); !ok) return ok;
+  character.mesh = character_mesh(model);
+  character.mesh.face = face_of(character);
+  if (options.vertices > 0) {
+    if (character.face.head && character.face.head->changes())
+      return bad_input("{}: a head that changes its age has the vertices that it is drawn with",
+                       character.scene.model.string());
+    auto mesh = resample(character.mesh, options.vertices);
+    if (!mesh) return bad_input("{}: {}", character.scene.model.string(), mesh.error().message);
+    character.mesh = std::move(*mesh);
+  }
+  character.rest = rest_shape(model, character.mesh, character.order);
+  for (MeshPart& part : character.mesh.parts)
+    if (part.vertex_count > 0) part.mirrored = glm::determinant(character.rest.blend[part.first_vertex]) < 0.0;
+  character.humanoid = find_humanoid(model, character.rest.global);
+  return {};
+}
+
+}  // namespace sinew
