@@ -134,10 +134,4 @@ std::vector<std::uint32_t> model_vertices(const Head& head) {
   return out;
 }
 
-std::vector<std::uint32_t> head_vertices(const Head& head) {
-  std::vector<std::uint32_t> out;
-  for (const MaterialPart& part : parts_of(head)) out.insert(out.end(), part.vertices.begin(), part.vertices.end());
-  return out;
-}
-
 }  // namespace sinew

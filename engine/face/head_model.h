@@ -21,7 +21,4 @@ std::vector<std::uint32_t> head_vertices(const Head& head);
 /// the primitives before counted.
 std::vector<std::uint32_t> model_vertices(const Head& head);
 
-/// [vertices of the model] which vertex of the head each is, vertices of the primitives before counted.
-std::vector<std::uint32_t> head_vertices(const Head& head);
-
 }  // namespace sinew

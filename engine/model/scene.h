@@ -82,10 +82,10 @@ struct ExpressionCue {
 /// What `builtin:head` is drawn from. Names are checked where the head is made (engine/face).
 struct HeadSpec {
   Keyed<double> age = Keyed<double>::constant(0);  ///< 0 (adult) to 1 (infant)
-  std::map<std::string, double> skull;             ///< how much of each outline, 0..1
-  std::map<std::string, double> measures;          ///< in place of what age, skull or file say
-  std::optional<int> level;                        ///< of subdivision, 0..most_head_level; absent: the default
-  std::filesystem::path file;                      ///< a head's file of measures, in place of an age; empty: none
+  std::map<std::string, double> skull = {};        ///< how much of each outline, 0..1
+  std::map<std::string, double> measures = {};     ///< in place of what age, skull or file say
+  std::optional<int> level = {};                   ///< of subdivision, 0..most_head_level; absent: the default
+  std::filesystem::path file = {};                 ///< a head's file of measures, in place of an age; empty: none
 
   bool operator==(const HeadSpec&) const = default;
 };
