@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/motion/piecewise_polynomial.h"
+#include "engine/motion/segment_tables.h"
 
 namespace sinew {
 
@@ -26,8 +27,12 @@ constexpr int default_fit_degree = 5;  ///< the paper's, where there is no toler
 /// Fails as usage with the option's name where one is out of its range.
 Result<void> check_fit_options(const CurveFitOptions& options);
 
-/// `times`: [samples >= 1] seconds, strictly rising; `values`: [samples], finite. Options as check_fit_options() wants
-/// them. A curve that does not move is one segment of degree 0; too few samples for a degree lower it.
+/// `times`: [samples >= 1] seconds, evenly spaced; `values`: [samples], finite. Options as check_fit_options() wants
+/// them. A curve that does not move is one segment of degree 0; too few samples for a degree lower it. `tables`, which
+/// curves of as many samples may share, reach to all of the samples.
+CurveFit fit_curve(SegmentTables& tables, std::span<const double> times, std::span<const double> values,
+                   const CurveFitOptions& options);
+/// The same with tables of its own.
 CurveFit fit_curve(std::span<const double> times, std::span<const double> values, const CurveFitOptions& options);
 
 }  // namespace sinew

@@ -14,11 +14,11 @@ constexpr double followed_share = 0.5;
 
 }  // namespace
 
-PiecewisePolynomial fit_selected(std::span<const double> times, std::span<const double> values, int highest_degree,
+PiecewisePolynomial fit_selected(SegmentTables& tables, const EvenSamples& samples, int highest_degree,
                                  double resolution) {
-  const SmoothedSamples smooth = smooth_samples(values, resolution);
-  SmoothFitter fitter(times, smooth.values);
-  return fit_within(fitter, std::max(followed_share * smooth.standard_error(), resolution), highest_degree);
+  const SmoothedSamples smooth = smooth_samples(samples.values, resolution);
+  const double tolerance = std::max(followed_share * smooth.standard_error(), resolution);
+  return fit_within(tables, {samples.begin, samples.spacing, smooth.values}, tolerance, highest_degree);
 }
 
 std::vector<std::size_t> cuts_for(std::span<const double> values, std::size_t segments, double resolution) {
