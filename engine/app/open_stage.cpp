@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
+#include "engine/app/emotion_use.h"
 #include "engine/app/stage.h"
 #include "engine/body/built_in_model.h"
 #include "engine/core/files.h"
@@ -222,8 +223,25 @@ Result<void> prepare_model(StagedCharacter& character, const SceneOptions& optio
   return {};
 }
 
-Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
-                     std::vector<std::string>& problems) {
+Result<void> add_emotions(StagedCharacter& character, const SceneOptions& options, double fps, const Place& place,
+                          std::vector<std::string>& problems) {
+  const std::vector<EmotionCue>& cues = character.scene.emotion;
+  if (cues.empty()) return {};
+  auto library = MotionLibrary::open(options.library.empty() ? default_library() : options.library, false);
+  if (!library) return place.at("/emotion", std::move(library));
+  for (std::size_t i = 0; i < cues.size(); ++i) {
+    auto staged = stage_emotion(cues[i], *library, fps, *character.model, character.humanoid, problems);
+    if (!staged) return place.at(fmt::format("/emotion/{}", i), std::move(staged));
+    character.emotions.push_back(std::move(*staged));
+  }
+  std::vector<MotionUse> uses;
+  for (const StagedMotion& emotion : character.emotions) uses.push_back(emotion.use);
+  character.scene.expressions = expressions_with(character.scene.expressions, cues, uses);
+  return {};
+}
+
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, double fps, OpenedScene& opened,
+                     const Place& place, std::vector<std::string>& problems) {
   const bool bare_model = opened.bare_model;
   auto bytes = std::exchange(opened.model_bytes, std::nullopt);
   if (auto ok = prepare_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
@@ -234,6 +252,7 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, Op
     if (!motion) return place.at("/motion", std::move(motion));
     character.motion = std::move(*motion);
   }
+  if (auto ok = add_emotions(character, options, fps, place, found); !ok) return ok;
   if (auto ok = find_tracks(character, place); !ok) return ok;
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
@@ -251,7 +270,6 @@ void note_unsupported(const Character& character, std::vector<std::string>& prob
   };
   note(character.expressions.has_value(), "expressions");
   note(!character.regions.empty(), "regions");
-  note(!character.emotion.empty(), "emotion");
 }
 
 /// From frame 0 to the last frame that a clip or a key has.
@@ -269,6 +287,7 @@ FrameSpan natural_range(const Stage& stage) {
     if (character.clip >= 0)
       last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
     if (character.motion) last = std::max(last, std::ceil(last_frame(*character.motion, stage.scene.fps) - 1e-6));
+    for (const StagedMotion& emotion : character.emotions) reach(emotion.use.weight);
     for (const StagedCharacter::JointTrack& track : character.tracks) reach(track.degrees);
   }
   return {0, static_cast<int>(std::clamp(last, 0.0, 1e7))};
@@ -287,6 +306,7 @@ std::string hash_scene(const Stage& stage, const SceneOptions& options) {
   json["scene"] = scene_text(scene, {});
   for (const StagedCharacter& character : stage.characters) {
     json["clips"].push_back(character.clip);
+    for (const StagedMotion& emotion : character.emotions) json["emotions"].push_back(emotion.content_hash);
     for (const PlacedMuscle& placed : character.muscles) json["muscles"].push_back(placed.muscle.name);
   }
   for (const PoseOption& pose : options.poses)
@@ -313,7 +333,8 @@ Result<Stage> open_stage(const SceneOptions& options) {
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
-    if (auto ok = prepare(staged, with_library, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
+    if (auto ok = prepare(staged, with_library, stage.scene.fps, *opened, place, stage.problems); !ok)
+      return pass_on(std::move(ok));
   }
   if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
   stage.range = stage.scene.frames.value_or(natural_range(stage));

@@ -5,9 +5,10 @@
 #include <span>
 
 #include "engine/motion/piecewise_polynomial.h"
-#include "engine/motion/segment_tables.h"
 
 namespace sinew {
+
+class SegmentTables;
 
 struct CurveFitOptions {
   std::optional<int> degree;        ///< 3 to 8: of every segment; with a tolerance the highest (else 8)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/parallel.h"
+#include "engine/motion/segment_tables.h"
 
 namespace sinew {
 
