@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
+#include "engine/app/emotion_use.h"
 #include "engine/app/stage_model.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
@@ -168,9 +169,26 @@ Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Pl
   return {};
 }
 
+Result<void> add_emotions(StagedCharacter& character, const SceneOptions& options, double fps, const Place& place,
+                          std::vector<std::string>& problems) {
+  const std::vector<EmotionCue>& cues = character.scene.emotion;
+  if (cues.empty()) return {};
+  auto library = MotionLibrary::open(options.library.empty() ? default_library() : options.library, false);
+  if (!library) return place.at("/emotion", std::move(library));
+  for (std::size_t i = 0; i < cues.size(); ++i) {
+    auto staged = stage_emotion(cues[i], *library, fps, *character.model, character.humanoid, problems);
+    if (!staged) return place.at(fmt::format("/emotion/{}", i), std::move(staged));
+    character.emotions.push_back(std::move(*staged));
+  }
+  std::vector<MotionUse> uses;
+  for (const StagedMotion& emotion : character.emotions) uses.push_back(emotion.use);
+  character.scene.expressions = expressions_with(character.scene.expressions, cues, uses);
+  return {};
+}
+
 /// What the scene makes of the model, which is there already.
-Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place,
-                         std::vector<std::string>& problems) {
+Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, double fps,
+                         const Place& place, std::vector<std::string>& problems) {
   std::vector<std::string> found = character.model->problems;
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (const auto& use = character.scene.motion) {
@@ -178,9 +196,15 @@ Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options
     if (!motion) return place.at("/motion", std::move(motion));
     character.motion = std::move(*motion);
   }
+  const bool has_face_of_emotions_alone = !character.scene.emotion.empty() && !character.scene.expressions &&
+                                          character.scene.cues.empty() && character.scene.regions.empty();
+  if (auto ok = add_emotions(character, options, fps, place, found); !ok) return ok;
   if (auto ok = find_tracks(character, place); !ok) return ok;
-  if (auto ok = stage_face(character.scene, *character.model, character.mesh, character.face); !ok)
-    return place.inside("", std::move(ok));
+  if (auto ok = stage_face(character.scene, *character.model, character.mesh, character.face); !ok) {
+    if (!has_face_of_emotions_alone) return place.inside("", std::move(ok));
+    found.push_back("has no face that could show its emotions; its body does");
+    character.scene.expressions.reset();
+  }
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
   for (const PlacedMuscle& placed : character.muscles)
@@ -190,19 +214,11 @@ Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options
   return {};
 }
 
-Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
-                     std::vector<std::string>& problems) {
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, double fps, OpenedScene& opened,
+                     const Place& place, std::vector<std::string>& problems) {
   auto bytes = std::exchange(opened.model_bytes, std::nullopt);
   if (auto ok = stage_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
-  return prepare_use(character, options, opened.bare_model, place, problems);
-}
-
-/// What a character asks for that this program cannot do yet: said, not ignored.
-void note_unsupported(const Character& character, std::vector<std::string>& problems) {
-  const auto note = [&](bool asked, const char* what) {
-    if (asked) problems.push_back(fmt::format("{}: \"{}\" is not shown yet", character.model.string(), what));
-  };
-  note(!character.emotion.empty(), "emotion");
+  return prepare_use(character, options, opened.bare_model, fps, place, problems);
 }
 
 /// What of the faces is held at limits, once a channel.
@@ -231,6 +247,7 @@ FrameSpan natural_range(const Stage& stage) {
     if (character.clip >= 0)
       last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
     if (character.motion) last = std::max(last, std::ceil(last_frame(*character.motion, stage.scene.fps) - 1e-6));
+    for (const StagedMotion& emotion : character.emotions) reach(emotion.use.weight);
     for (const StagedCharacter::JointTrack& track : character.tracks) reach(track.degrees);
     last = std::max(last, std::ceil(reach_of(character.face.track).second));
     if (character.scene.head) reach(character.scene.head->age);
@@ -251,6 +268,7 @@ std::string hash_scene(const Stage& stage, const SceneOptions& options) {
   json["scene"] = scene_text(scene, {});
   for (const StagedCharacter& character : stage.characters) {
     json["clips"].push_back(character.clip);
+    for (const StagedMotion& emotion : character.emotions) json["emotions"].push_back(emotion.content_hash);
     for (const PlacedMuscle& placed : character.muscles) json["muscles"].push_back(placed.muscle.name);
   }
   for (const PoseOption& pose : options.poses)
@@ -282,13 +300,13 @@ Result<Stage> open_stage(const SceneOptions& options) {
   SceneOptions with_library = options;
   if (stage.scene.library) with_library.library = *stage.scene.library;
   for (const Character& character : stage.scene.characters) {
-    note_unsupported(character, stage.problems);
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
     const double first = stage.scene.frames.value_or(FrameSpan{}).first;
     if (auto ok = draw_head(staged, first, place); !ok) return pass_on(std::move(ok));
-    if (auto ok = prepare(staged, with_library, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
+    if (auto ok = prepare(staged, with_library, stage.scene.fps, *opened, place, stage.problems); !ok)
+      return pass_on(std::move(ok));
   }
   if (auto ok = complete(stage, options); !ok) return pass_on(std::move(ok));
   return stage;
@@ -316,7 +334,6 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
     return tl::unexpected<Error>(std::move(error));
   };
   for (const Character& character : scene.characters) {
-    note_unsupported(character, next.problems);
     const Place place(stage.source, false, next.characters.size());
     StagedCharacter& staged = next.characters.emplace_back();
     staged.scene = character;
@@ -344,7 +361,8 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
       if (auto ok = stage_model(staged, with_library, std::nullopt); !ok)
         return fail(place.at("/model", std::move(ok)).value());
     }
-    if (auto ok = prepare_use(staged, with_library, false, place, next.problems); !ok) return fail(ok.error());
+    if (auto ok = prepare_use(staged, with_library, false, scene.fps, place, next.problems); !ok)
+      return fail(ok.error());
   }
   if (auto ok = complete(next, options); !ok) return fail(ok.error());
   stage = std::move(next);

@@ -16,7 +16,7 @@ namespace sinew {
 
 /// A model and everything about it that no frame changes.
 struct StagedCharacter {
-  Character scene;  ///< what the scene says of it
+  Character scene;  ///< what the scene says of it; its emotions' expressions are among the expressions
   std::unique_ptr<Model> model;
   std::string model_hash;  ///< SHA-256 of all that it was read from, or the name of a built-in model
   std::vector<int> order;  ///< hierarchy_order
@@ -28,6 +28,7 @@ struct StagedCharacter {
   std::vector<PlacedMuscle> muscles;
   int clip = -1;  ///< index into the model's clips, -1: none
   std::optional<StagedMotion> motion;
+  std::vector<StagedMotion> emotions;  ///< one a cue, each over the one before
 
   /// A joint's angles over time.
   struct JointTrack {
