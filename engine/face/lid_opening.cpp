@@ -1,0 +1,127 @@
+#include "engine/face/lid_opening.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace sinew {
+namespace {
+
+constexpr int samples = 40;
+constexpr double degree = degrees_to_radians;
+
+double angle_of(const Vec3& from_centre) { return std::atan2(from_centre.y, from_centre.z); }
+
+/// The lid's edge by its landmarks, [samples + 1], or nothing where none is named.
+std::vector<double> edge_by_marks(const Landmarks& marks, const std::string& lid, const std::string& end,
+                                  const Vec3& centre) {
+  const Vec3 inner = marks.at("eyeInner" + end), outer = marks.at("eyeOuter" + end);
+  std::vector<Vec3> points{inner};
+  for (const char* part : {"Inner", "", "Outer"})
+    if (const auto found = marks.find(lid + part + end); found != marks.end()) points.push_back(found->second);
+  if (points.size() == 1) return {};
+  points.push_back(outer);
+  std::vector<double> out;
+  for (int i = 0; i <= samples; ++i) {
+    const double x = glm::mix(inner.x, outer.x, double(i) / samples);
+    std::size_t k = 0;
+    while (k + 2 < points.size() && (points[k + 1].x - x) * (outer.x - inner.x) < 0) ++k;
+    const double span = points[k + 1].x - points[k].x;
+    const double t = span == 0.0 ? 0.0 : std::clamp((x - points[k].x) / span, 0.0, 1.0);
+    out.push_back(glm::mix(angle_of(points[k] - centre), angle_of(points[k + 1] - centre), t));
+  }
+  return out;
+}
+
+void smooth(std::vector<double>& values) {
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<double> old = values;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) values[i] = 0.25 * old[i - 1] + 0.5 * old[i] + 0.25 * old[i + 1];
+  }
+}
+
+/// 1 at the lid's edge, 0 where the fold ends.
+double share(double beyond, double end) {
+  constexpr double whole = 2.2 * degree;
+  return 1.0 - smoothstep01((beyond - whole) / (end - whole));
+}
+
+}  // namespace
+
+LidOpening::LidOpening(const FaceMesh& mesh, const TriangleTree& skin, int side)
+    : centre_(mesh.eye_centres[static_cast<std::size_t>(side)]), radius_(mesh.eye_radius), fold_(30 * degree) {
+  constexpr double most = 80 * degree, step = degree, reach = 2.2, off_marks = 7 * degree;
+  const std::string end = side == 0 ? "Left" : "Right";
+  inner_ = mesh.marks.at("eyeInner" + end);
+  outer_ = mesh.marks.at("eyeOuter" + end);
+  const std::vector<double> upper_mark = edge_by_marks(mesh.marks, "lidUpper", end, centre_),
+                            lower_mark = edge_by_marks(mesh.marks, "lidLower", end, centre_);
+  const double from = angle_of(inner_ - centre_), to = angle_of(outer_ - centre_);
+  upper_.resize(samples + 1);
+  lower_.resize(samples + 1);
+  int free = 0;
+  for (int i = 0; i <= samples; ++i) {
+    const double along = double(i) / samples;
+    const Vec3 start(glm::mix(inner_.x, outer_.x, along), centre_.y, centre_.z);
+    const auto blocked = [&](double angle) {
+      return skin.first_crossing(start, {0, std::sin(angle), std::cos(angle)}, reach * radius_).has_value();
+    };
+    const auto edge = [&](double inside, double outside) {
+      for (int k = 0; k < 8; ++k) {
+        const double half = 0.5 * (inside + outside);
+        (blocked(half) ? outside : inside) = half;
+      }
+      return inside;
+    };
+    double middle = glm::mix(from, to, along);
+    if (!upper_mark.empty() && !lower_mark.empty())
+      middle = 0.5 * (upper_mark[static_cast<std::size_t>(i)] + lower_mark[static_cast<std::size_t>(i)]);
+    std::optional<double> clear;
+    for (int k = 0; k <= 12 && !clear; ++k)
+      for (const double a : {middle + k * step, middle - k * step})
+        if (!clear && !blocked(a)) clear = a;
+    double up = middle, low = middle;
+    if (clear && i > 0 && i < samples) {
+      ++free;
+      for (up = *clear; up < most && !blocked(up + step);) up += step;
+      up = edge(up, up + step);
+      for (low = *clear; low > -most && !blocked(low - step);) low -= step;
+      low = edge(low, low - step);
+    }
+    const auto at = static_cast<std::size_t>(i);
+    if (!upper_mark.empty() && std::abs(up - upper_mark[at]) > off_marks) up = upper_mark[at];
+    if (!lower_mark.empty() && std::abs(low - lower_mark[at]) > off_marks) low = lower_mark[at];
+    upper_[at] = std::max(up, low);
+    lower_[at] = std::min(up, low);
+  }
+  open_ = free > samples / 4;
+  smooth(upper_);
+  smooth(lower_);
+  if (const auto brow = mesh.marks.find("browMiddle" + end); brow != mesh.marks.end())
+    fold_ = std::clamp(0.62 * (angle_of(brow->second - centre_) - upper(0.5)), 18 * degree, 40 * degree);
+}
+
+double LidOpening::at(const std::vector<double>& values, double along) {
+  const double place = std::clamp(along, 0.0, 1.0) * samples;
+  const auto i = std::min<std::size_t>(samples - 1, static_cast<std::size_t>(place));
+  return glm::mix(values[i], values[i + 1], place - static_cast<double>(i));
+}
+
+std::array<double, 2> LidOpening::closing(const Vec3& place) const {
+  constexpr double lower_fold = 26 * degree, beyond_corner = 0.18, near = 1.6, far = 2.4;
+  if (!open_) return {0.0, 0.0};
+  const Vec3 d = place - centre_;
+  const double distance = std::hypot(d.y, d.z), along = (place.x - inner_.x) / (outer_.x - inner_.x);
+  const double outside = std::max({0.0, -along, along - 1.0}) / beyond_corner;
+  if (outside >= 1.0 || distance > far * radius_ || distance < 0.3 * radius_ || d.z < -0.2 * radius_) return {0.0, 0.0};
+  const double opening = upper(along) - lower(along);
+  if (opening < 0.5 * degree) return {0.0, 0.0};
+  const double taper = (1.0 - outside) * (1.0 - smoothstep01((distance / radius_ - near) / (far - near)));
+  // A little further than the other lid, so that no slit stays; more in the corners, where it would stay longest.
+  const double corner = std::clamp(1.0 - std::min(along, 1.0 - along) / 0.16, 0.0, 1.0);
+  const double whole = taper * (1.04 * opening + 0.02 + 0.08 * corner);
+  const double angle = angle_of(d), middle = 0.5 * (upper(along) + lower(along));
+  if (angle >= middle) return {whole * share(angle - upper(along), fold_), 0.0};
+  return {0.0, whole * share(lower(along) - angle, lower_fold)};
+}
+
+}  // namespace sinew
