@@ -11,14 +11,34 @@
 namespace sinew {
 namespace {
 
-/// One place for vertices that lie on each other and face alike: seams close, lips that touch stay two.
+/// [vertices] Those at an edge of a single triangle.
+std::vector<bool> at_border(const CharacterMesh& mesh) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3)
+    for (std::size_t c = 0; c < 3; ++c)
+      edges.push_back(std::minmax(mesh.triangles[i + c], mesh.triangles[i + (c + 1) % 3]));
+  std::ranges::sort(edges);
+  std::vector<bool> out(mesh.vertices(), false);
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i;
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    if (end == i + 1) out[edges[i].first] = out[edges[i].second] = true;
+    i = end;
+  }
+  return out;
+}
+
+/// One place for vertices of borders that lie on each other and face alike: seams close, lips that touch stay two, and
+/// lashes that stand on a lid stay a piece of their own.
 void weld(const CharacterMesh& mesh, const Similarity& to_drawing, FaceMesh& out) {
   constexpr double alike = -0.2;  // hard edges of seams turn less
+  const std::vector<bool> border = at_border(mesh);
   std::map<std::tuple<double, double, double>, std::vector<std::uint32_t>> at;
   for (std::size_t v = 0; v < mesh.vertices(); ++v) {
     const Vec3& p = mesh.positions[v];
     const Vec3 n = to_drawing.direction(mesh.normals[v]);
-    auto& here = at[{p.x, p.y, p.z}];
+    std::vector<std::uint32_t> none;
+    auto& here = border[v] ? at[{p.x, p.y, p.z}] : none;
     const auto found =
         std::ranges::find_if(here, [&](std::uint32_t i) { return glm::dot(out.normals[i], n) > alike; });
     if (found != here.end()) {
@@ -71,13 +91,18 @@ class ShellSorter {
   }
 
   void find_skin() {
+    // Any number of small pieces may lie about; the largest near the nose and the lips' corners is the skin.
+    constexpr double near = 0.12;
     std::size_t best = 0;
-    double nearest = INFINITY;
-    for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
-      const double d = glm::distance(mesh_.positions[v], mesh_.marks.at("noseTip"));
-      if (d < nearest) nearest = d, best = v;
-    }
-    mesh_.kinds[mesh_.graph.shell[best]] = ShellKind::skin;
+    for (const char* mark : {"noseTip", "lipCornerLeft", "lipCornerRight"})
+      for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+        const std::size_t shell = mesh_.graph.shell[v];
+        if (places_[shell].size() > places_[best].size() || mesh_.kinds[best] != ShellKind::skin)
+          if (glm::distance(mesh_.positions[v], mesh_.marks.at(mark)) < near) {
+            mesh_.kinds[best] = ShellKind::other;
+            mesh_.kinds[best = shell] = ShellKind::skin;
+          }
+      }
     for (std::size_t i = 0; i < mesh_.triangles.size(); i += 3)
       if (mesh_.kind(mesh_.triangles[i]) == ShellKind::skin)
         mesh_.skin_triangles.insert(mesh_.skin_triangles.end(), mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(i),

@@ -140,13 +140,13 @@ Result<TransferredFace> transfer_face(const Head& from, const CharacterMesh& mes
       vertex.eye = target.eye_of_shell[target.graph.shell[v]];
     } else if (kind == ShellKind::skin || kind == ShellKind::attached) {
       const std::size_t side = target.positions[v].x > 0 ? 0 : 1;
-      const auto closing = lids[side].closing(target.positions[v]);
+      const auto closing = lids[side].closing(values.root(v));
       if (closing[0] > still || closing[1] > still) {
         vertex.eye = static_cast<int>(side);
         vertex.close_upper = closing[0];
         vertex.close_lower = closing[1];
         const double distance = glm::distance(target.positions[v], target.eye_centres[side]);
-        if (target.has_eyeball[side] && distance > ball_share * target.eye_radius)
+        if (kind == ShellKind::skin && target.has_eyeball[side] && distance > ball_share * target.eye_radius)
           vertex.least_distance = std::min(distance, target.eye_radius + clearance);
       }
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/face/surface_ways.h"
+
 namespace sinew {
 namespace {
 
@@ -11,22 +13,57 @@ constexpr double degree = degrees_to_radians;
 
 double angle_of(const Vec3& from_centre) { return std::atan2(from_centre.y, from_centre.z); }
 
+std::uint32_t nearest_skin(const FaceMesh& mesh, const Vec3& p) {
+  double nearest = INFINITY;
+  std::uint32_t best = 0;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.kind(v) != ShellKind::skin) continue;
+    const double d = glm::distance(mesh.positions[v], p);
+    if (d < nearest) nearest = d, best = v;
+  }
+  return best;
+}
+
+/// The mesh's edges between two places, which follow a lid's edge where both lie on it; straight where they do not.
+std::vector<Vec3> along_edges(const FaceMesh& mesh, const Vec3& from, const Vec3& to) {
+  constexpr double longest = 1.25;
+  const std::uint32_t start = nearest_skin(mesh, from), end = nearest_skin(mesh, to);
+  std::vector<std::uint32_t> before;
+  const std::vector<double> ways =
+      surface_ways(mesh.positions, mesh.graph, {{0.0, start}}, longest * glm::distance(from, to), &before);
+  std::vector<Vec3> out;
+  if (std::isfinite(ways[end]))
+    for (std::uint32_t v = before[end]; v != start && v != before[v]; v = before[v]) out.push_back(mesh.positions[v]);
+  std::ranges::reverse(out);
+  return out;
+}
+
 /// The lid's edge by its landmarks, [samples + 1], or nothing where none is named.
-std::vector<double> edge_by_marks(const Landmarks& marks, const std::string& lid, const std::string& end,
+std::vector<double> edge_by_marks(const FaceMesh& mesh, const std::string& lid, const std::string& end,
                                   const Vec3& centre) {
-  const Vec3 inner = marks.at("eyeInner" + end), outer = marks.at("eyeOuter" + end);
-  std::vector<Vec3> points{inner};
+  const Vec3 inner = mesh.marks.at("eyeInner" + end), outer = mesh.marks.at("eyeOuter" + end);
+  std::vector<Vec3> marks{inner};
   for (const char* part : {"Inner", "", "Outer"})
-    if (const auto found = marks.find(lid + part + end); found != marks.end()) points.push_back(found->second);
+    if (const auto found = mesh.marks.find(lid + part + end); found != mesh.marks.end())
+      marks.push_back(found->second);
+  if (marks.size() == 1) return {};
+  marks.push_back(outer);
+  // Along x, which the lids' turn leaves as it is.
+  std::vector<Vec3> points{inner};
+  const double outward = outer.x > inner.x ? 1.0 : -1.0;
+  for (std::size_t i = 1; i < marks.size(); ++i) {
+    std::vector<Vec3> between = along_edges(mesh, marks[i - 1], marks[i]);
+    between.push_back(marks[i]);
+    for (const Vec3& p : between)
+      if (outward * (p.x - points.back().x) > 0) points.push_back(p);
+  }
   if (points.size() == 1) return {};
-  points.push_back(outer);
   std::vector<double> out;
   for (int i = 0; i <= samples; ++i) {
     const double x = glm::mix(inner.x, outer.x, double(i) / samples);
     std::size_t k = 0;
-    while (k + 2 < points.size() && (points[k + 1].x - x) * (outer.x - inner.x) < 0) ++k;
-    const double span = points[k + 1].x - points[k].x;
-    const double t = span == 0.0 ? 0.0 : std::clamp((x - points[k].x) / span, 0.0, 1.0);
+    while (k + 2 < points.size() && outward * (points[k + 1].x - x) < 0) ++k;
+    const double t = std::clamp((x - points[k].x) / (points[k + 1].x - points[k].x), 0.0, 1.0);
     out.push_back(glm::mix(angle_of(points[k] - centre), angle_of(points[k + 1] - centre), t));
   }
   return out;
@@ -49,21 +86,25 @@ double share(double beyond, double end) {
 
 LidOpening::LidOpening(const FaceMesh& mesh, const TriangleTree& skin, int side)
     : centre_(mesh.eye_centres[static_cast<std::size_t>(side)]), radius_(mesh.eye_radius), fold_(30 * degree) {
-  constexpr double most = 80 * degree, step = degree, reach = 2.2, off_marks = 7 * degree;
+  constexpr double most = 80 * degree, step = degree, reach = 2.2, off_marks = 5 * degree;
   const std::string end = side == 0 ? "Left" : "Right";
   inner_ = mesh.marks.at("eyeInner" + end);
   outer_ = mesh.marks.at("eyeOuter" + end);
-  const std::vector<double> upper_mark = edge_by_marks(mesh.marks, "lidUpper", end, centre_),
-                            lower_mark = edge_by_marks(mesh.marks, "lidLower", end, centre_);
+  const std::vector<double> upper_mark = edge_by_marks(mesh, "lidUpper", end, centre_),
+                            lower_mark = edge_by_marks(mesh, "lidLower", end, centre_);
   const double from = angle_of(inner_ - centre_), to = angle_of(outer_ - centre_);
   upper_.resize(samples + 1);
   lower_.resize(samples + 1);
   int free = 0;
+  double off = 0.0;
   for (int i = 0; i <= samples; ++i) {
     const double along = double(i) / samples;
     const Vec3 start(glm::mix(inner_.x, outer_.x, along), centre_.y, centre_.z);
+    // From the ball's surface on: what lies inside is not seen.
+    const double aside = start.x - centre_.x, ball = std::sqrt(std::max(0.0, radius_ * radius_ - aside * aside));
     const auto blocked = [&](double angle) {
-      return skin.first_crossing(start, {0, std::sin(angle), std::cos(angle)}, reach * radius_).has_value();
+      const Vec3 way(0, std::sin(angle), std::cos(angle));
+      return skin.first_crossing(start + ball * way, way, reach * radius_ - ball).has_value();
     };
     const auto edge = [&](double inside, double outside) {
       for (int k = 0; k < 8; ++k) {
@@ -88,12 +129,18 @@ LidOpening::LidOpening(const FaceMesh& mesh, const TriangleTree& skin, int side)
       low = edge(low, low - step);
     }
     const auto at = static_cast<std::size_t>(i);
-    if (!upper_mark.empty() && std::abs(up - upper_mark[at]) > off_marks) up = upper_mark[at];
-    if (!lower_mark.empty() && std::abs(low - lower_mark[at]) > off_marks) low = lower_mark[at];
+    if (!upper_mark.empty()) off += std::abs(up - upper_mark[at]) / samples;
+    if (!lower_mark.empty()) off += std::abs(low - lower_mark[at]) / samples;
     upper_[at] = std::max(up, low);
     lower_[at] = std::min(up, low);
   }
-  open_ = free > samples / 4;
+  const bool told = mesh.has_eyeball[static_cast<std::size_t>(side)] && !upper_mark.empty() && !lower_mark.empty();
+  open_ = told || free > samples / 4;
+  // Where something else stands before the eye, such as a film of tears, the landmarks are believed.
+  if (off > off_marks && !upper_mark.empty()) upper_ = upper_mark;
+  if (off > off_marks && !lower_mark.empty()) lower_ = lower_mark;
+  for (std::size_t i = 0; i <= samples; ++i)
+    if (upper_[i] < lower_[i]) upper_[i] = lower_[i] = 0.5 * (upper_[i] + lower_[i]);
   smooth(upper_);
   smooth(lower_);
   if (const auto brow = mesh.marks.find("browMiddle" + end); brow != mesh.marks.end())

@@ -1,41 +1,8 @@
 #include "engine/face/lip_sides.h"
 
-#include <queue>
+#include "engine/face/surface_ways.h"
 
 namespace sinew {
-namespace {
-
-struct Way {
-  double length;
-  std::uint32_t place;
-  bool operator>(const Way& other) const { return length > other.length; }
-};
-
-/// Lengths of the shortest ways along edges from the seeds, which start with what they are given. Dijkstra.
-std::vector<double> ways(const std::vector<Vec3>& positions, const SurfaceGraph& graph, const std::vector<Way>& seeds) {
-  std::vector<double> out(positions.size(), INFINITY);
-  std::priority_queue<Way, std::vector<Way>, std::greater<>> open;
-  for (const Way& seed : seeds)
-    if (seed.length < out[seed.place]) {
-      out[seed.place] = seed.length;
-      open.push(seed);
-    }
-  while (!open.empty()) {
-    const Way here = open.top();
-    open.pop();
-    if (here.length > out[here.place]) continue;
-    for (const std::uint32_t next : graph.of(here.place)) {
-      const double length = here.length + glm::distance(positions[here.place], positions[next]);
-      if (length < out[next]) {
-        out[next] = length;
-        open.push({length, next});
-      }
-    }
-  }
-  return out;
-}
-
-}  // namespace
 
 std::vector<std::int8_t> lip_sides(const std::vector<Vec3>& positions, const std::vector<Vec3>& normals,
                                    const SurfaceGraph& graph, const std::vector<bool>& skin, const Landmarks& marks) {
@@ -43,7 +10,7 @@ std::vector<std::int8_t> lip_sides(const std::vector<Vec3>& positions, const std
   const Vec3 contact = marks.at("lipContact");
   const double width = glm::distance(marks.at("lipCornerLeft"), marks.at("lipCornerRight"));
   // `facing`: 1 where the place must not face up: the upper lip's edge looks down; -1 the other way; 0 either.
-  const auto seed = [&](const char* name, double facing, std::vector<Way>& out) {
+  const auto seed = [&](const char* name, double facing, std::vector<SurfaceWay>& out) {
     const auto mark = marks.find(name);
     if (mark == marks.end()) return;
     double nearest = INFINITY;
@@ -56,12 +23,13 @@ std::vector<std::int8_t> lip_sides(const std::vector<Vec3>& positions, const std
     // As if all ways started at the line where the lips meet.
     if (std::isfinite(nearest)) out.push_back({-glm::distance(mark->second, contact), best});
   };
-  std::vector<Way> upper, lower;
+  std::vector<SurfaceWay> upper, lower;
   for (const char* name : {"noseBase", "lipTop"}) seed(name, 0.0, upper);
   for (const char* name : {"upperLip", "upperLipSideLeft", "upperLipSideRight"}) seed(name, 1.0, upper);
   for (const char* name : {"chin", "lipBottom"}) seed(name, 0.0, lower);
   for (const char* name : {"lowerLip", "lowerLipSideLeft", "lowerLipSideRight"}) seed(name, -1.0, lower);
-  const std::vector<double> to_upper = ways(positions, graph, upper), to_lower = ways(positions, graph, lower);
+  const std::vector<double> to_upper = surface_ways(positions, graph, upper),
+                            to_lower = surface_ways(positions, graph, lower);
   std::vector<std::int8_t> out(positions.size(), 0);
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!skin[v] || glm::distance(positions[v], contact) > 0.9 * width) continue;

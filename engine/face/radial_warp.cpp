@@ -3,14 +3,9 @@
 #include <Eigen/LU>
 
 namespace sinew {
-namespace {
-
-double spread(const Vec3& d) { return std::sqrt(glm::dot(d, d) + RadialWarp::width * RadialWarp::width); }
-
-}  // namespace
-
-RadialWarp::RadialWarp(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const double> looseness)
-    : centres_(from.begin(), from.end()), weights_(from.size(), Vec3(0.0)) {
+RadialWarp::RadialWarp(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const double> looseness,
+                       double width)
+    : centres_(from.begin(), from.end()), weights_(from.size(), Vec3(0.0)), width_(width) {
   const auto n = static_cast<Eigen::Index>(from.size());
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + 1, n + 1), b = Eigen::MatrixXd::Zero(n + 1, 3);
   for (Eigen::Index i = 0; i < n; ++i) {

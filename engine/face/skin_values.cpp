@@ -8,7 +8,7 @@ namespace sinew {
 
 SkinValues::SkinValues(const FaceRig& from, const TemplateFit& fit, const FaceMesh& mesh,
                        const std::function<double(std::size_t signal)>& scale)
-    : mesh_(mesh), fit_(fit), values_(mesh.positions.size() * width, 0.0) {
+    : mesh_(mesh), fit_(fit), values_(mesh.positions.size() * width, 0.0), roots_(mesh.positions) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (!fit.places[v]) continue;
     const TemplatePlace& place = *fit.places[v];
@@ -68,17 +68,34 @@ void SkinValues::fill() {
 }
 
 void SkinValues::carry_small_parts() {
-  constexpr double reach = 0.6;
+  constexpr double reach = 0.6, rooted = 0.01;
   const TriangleTree skin(mesh_.positions, mesh_.skin_triangles);
+  struct Root {
+    Vec3 place;
+    SurfacePoint under;
+  };
+  std::vector<std::vector<Root>> all(mesh_.graph.shells);
+  std::vector<double> nearest(mesh_.graph.shells, INFINITY);
+  for (const bool collect : {false, true})
+    for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+      if (mesh_.kind(v) != ShellKind::attached) continue;
+      const std::uint32_t shell = mesh_.graph.shell[v];
+      const auto under = skin.nearest(mesh_.positions[v], reach, [](std::size_t) { return true; });
+      if (!under) continue;
+      if (collect && under->distance <= nearest[shell] + rooted) all[shell].push_back({mesh_.positions[v], *under});
+      nearest[shell] = std::min(nearest[shell], under->distance);
+    }
   for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
     double* out = &values_[v * width];
     if (mesh_.kind(v) == ShellKind::lower) out[0] = out[1] = 1.0;
-    if (mesh_.kind(v) != ShellKind::attached) continue;
-    const auto under = skin.nearest(mesh_.positions[v], reach, [](std::size_t) { return true; });
-    if (!under) continue;
+    const std::vector<Root>& roots = all[mesh_.graph.shell[v]];
+    if (roots.empty()) continue;
+    const Root& root = *std::ranges::min_element(
+        roots, {}, [&](const Root& r) { return glm::distance(r.place, mesh_.positions[v]); });
+    roots_[v] = root.under.position;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double* own = &values_[mesh_.skin_triangles[3 * under->triangle + c] * width];
-      for (std::size_t k = 0; k < width; ++k) out[k] += under->shares[static_cast<int>(c)] * own[k];
+      const double* own = &values_[mesh_.skin_triangles[3 * root.under.triangle + c] * width];
+      for (std::size_t k = 0; k < width; ++k) out[k] += root.under.shares[static_cast<int>(c)] * own[k];
     }
   }
 }

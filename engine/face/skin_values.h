@@ -25,6 +25,8 @@ class SkinValues {
   double jaw(std::size_t place) const { return values_[place * width]; }
   double jaw_sealed(std::size_t place) const { return values_[place * width + 1]; }
   std::vector<FaceDelta> deltas(std::size_t place) const;
+  /// Where a place of a small part stands on the skin; other places are their own.
+  const Vec3& root(std::size_t place) const { return roots_[place]; }
 
  private:
   static constexpr std::size_t width = 2 + 3 * face_signals;
@@ -33,6 +35,7 @@ class SkinValues {
   const FaceMesh& mesh_;
   const TemplateFit& fit_;
   std::vector<double> values_;  ///< [places * width]
+  std::vector<Vec3> roots_;
 };
 
 }  // namespace sinew

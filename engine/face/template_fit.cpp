@@ -108,15 +108,19 @@ Pairs with_skin_pairs(const TemplateSkin& skin, const Pairs& landmarks, const Ra
 }  // namespace
 
 TemplateFit fit_template(const Head& head, const FaceMesh& mesh) {
-  constexpr double reach = 0.45, alike = 0.15;
+  constexpr double reach = 0.45, alike = 0.15, gentle_looseness = 0.4, gentle_width = 0.35;
   const TemplateSkin skin = template_skin(head);
   const TriangleTree target(mesh.positions, mesh.skin_triangles);
   const Pairs landmarks = landmark_pairs(skin, mesh.marks);
   RadialWarp warp(landmarks.from, landmarks.to, landmarks.looseness);
+  Pairs pairs = landmarks;
   for (const double looseness : {0.3, 0.1, 0.1}) {
-    const Pairs pairs = with_skin_pairs(skin, landmarks, warp, mesh, target, looseness);
+    pairs = with_skin_pairs(skin, landmarks, warp, mesh, target, looseness);
     warp = RadialWarp(pairs.from, pairs.to, pairs.looseness);
   }
+  // Moves are carried by a gentler map: between landmarks that are near to each other the exact one is all shear.
+  for (double& loose : pairs.looseness) loose += gentle_looseness;
+  const RadialWarp gentle(pairs.from, pairs.to, pairs.looseness, gentle_width);
 
   std::vector<bool> is_skin(mesh.positions.size());
   for (std::size_t v = 0; v < is_skin.size(); ++v) is_skin[v] = mesh.kind(v) == ShellKind::skin;
@@ -148,7 +152,7 @@ TemplateFit fit_template(const Head& head, const FaceMesh& mesh) {
         }
         place.shares = found->shares;
         place.distance = found->distance;
-        place.slope = warp.slope(from);
+        place.slope = gentle.slope(from);
         out.places[v] = place;
       },
       16);
