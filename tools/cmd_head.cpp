@@ -153,14 +153,20 @@ HeldFace held_pose(const FaceRig& face, const Pose& pose, bool strict) {
 
 /// --on: the face of the drawn head on a model.
 Result<void> on_model(const Words& words) {
-  const auto landmarks = read_landmarks(words.landmarks);
+  auto landmarks = words.landmarks.empty() ? LandmarkPlaces() : read_landmarks(words.landmarks);
   if (!landmarks) return tl::unexpected<Error>(landmarks.error());
   auto model = read_mesh_model(words.on);
   if (!model) return tl::unexpected<Error>(model.error());
+  if (words.landmarks.empty()) {
+    const auto found = find_model_landmarks(*model);
+    if (!found) return tl::unexpected<Error>(found.error());
+    for (const std::string& note : found->notes) spdlog::info("{}: {}", words.on, note);
+    for (const auto& [mark, place] : found->marks) (*landmarks)[mark] = place;
+  }
   const auto pose = wanted_pose(words);
   if (!pose) return tl::unexpected<Error>(pose.error());
   if (auto ok = check_writable(words.output); !ok) return ok;
-  const auto face = model_face(*model, *landmarks, words.landmarks);
+  const auto face = model_face(*model, *landmarks, words.landmarks.empty() ? words.on : words.landmarks);
   if (!face) return tl::unexpected<Error>(face.error());
   for (const std::string& note : face->transfer.notes) spdlog::info("{}: {}", words.on, note);
   const Head& head = face->transfer.head;
@@ -242,7 +248,7 @@ void add_head(CLI::App& program, Run& run) {
   command->add_option("--save-measures", words->save_measures, "Write the measures to this file as well");
   command->add_option("--half", words->half, "Mirror this half (.glb, .gltf, .obj) instead of drawing a head");
   command->add_option("--on", words->on, "Lay the face on this model (.glb, .gltf, .obj) instead of drawing a head");
-  command->add_option("--landmarks", words->landmarks, "Where the model's face is (JSON): with --on");
+  command->add_option("--landmarks", words->landmarks, "Where the model's face is (JSON): with --on; else looked for");
   command->add_option("--expression", words->expression, "NAME or NAME=STRENGTH: show it; repeatable");
   command->add_option("--region", words->region, "NAME=NUMBER,...: move a region, as scenes do; repeatable");
   command->add_flag("--strict", words->strict, "Of expressions only what the thesis' tables have");

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "engine/face/fitted_ball.h"
 #include "engine/io/gltf_triangles.h"
 
 namespace sinew {
@@ -58,30 +59,6 @@ void weld(const CharacterMesh& mesh, const Similarity& to_drawing, FaceMesh& out
   out.normals = gltf::smooth_normals(out.positions, out.triangles);
 }
 
-struct Ball {
-  Vec3 centre{0.0};
-  double radius = 0.0, error = INFINITY;  ///< root mean square over the radius
-};
-
-/// |p - c|^2 = r^2 in least squares.
-Ball fitted_ball(const std::vector<Vec3>& points) {
-  Eigen::MatrixXd a(points.size(), 4);
-  Eigen::VectorXd b(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    a.row(row) << 2 * points[i].x, 2 * points[i].y, 2 * points[i].z, 1.0;
-    b(row) = glm::dot(points[i], points[i]);
-  }
-  const Eigen::Vector4d x = a.colPivHouseholderQr().solve(b);
-  Ball out;
-  out.centre = {x(0), x(1), x(2)};
-  out.radius = std::sqrt(std::max(0.0, x(3) + glm::dot(out.centre, out.centre)));
-  double sum = 0.0;
-  for (const Vec3& p : points) sum += std::pow(glm::distance(p, out.centre) - out.radius, 2);
-  out.error = std::sqrt(sum / static_cast<double>(points.size())) / std::max(out.radius, 1e-9);
-  return out;
-}
-
 class ShellSorter {
  public:
   ShellSorter(FaceMesh& mesh) : mesh_(mesh), places_(mesh.graph.shells) {
@@ -118,14 +95,17 @@ class ShellSorter {
       const Vec3 inner = mesh_.marks.at("eyeInner" + end), outer = mesh_.marks.at("eyeOuter" + end);
       const Vec3 middle = 0.5 * (inner + outer);
       const double width = glm::distance(inner, outer);
-      Ball best;
+      FittedBall best;
       for (std::size_t s = 0; s < places_.size(); ++s) {
         if (mesh_.kinds[s] != ShellKind::other || places_[s].size() < 12) continue;
         const Bounds box = bounds(s);
         if (glm::distance(box.centre(), middle) > 1.1 * width || box.diagonal() > 4.0 * width) continue;
-        const Ball ball = fitted_ball(points(s));
-        if (ball.error < most_error && ball.radius > least_radius * width && ball.radius < most_radius * width &&
-            ball.radius > 0.98 * best.radius)
+        const FittedBall ball = fitted_ball(points(s));
+        // A film or a fringe before the eye fits a sphere as well, but is no ball.
+        const Vec3 size = box.high - box.low;
+        const bool round = std::min({size.x, size.y, size.z}) > ball.radius && ball.centre.z < middle.z;
+        if (round && ball.error < std::min(most_error, best.error) && ball.radius > least_radius * width &&
+            ball.radius < most_radius * width)
           best = ball;
       }
       const auto at = static_cast<std::size_t>(side);

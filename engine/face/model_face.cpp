@@ -4,6 +4,8 @@
 #include <map>
 
 #include "engine/deform/rest_shape.h"
+#include "engine/rig/humanoid.h"
+#include "engine/rig/motion_rig.h"
 
 namespace sinew {
 namespace {
@@ -47,6 +49,29 @@ Change change_of(const ModelFace& face, const HeadShape& shape, std::uint32_t v)
 }
 
 }  // namespace
+
+Result<FoundLandmarks> find_model_landmarks(const Model& model) {
+  if (auto ok = check_drawn_vertices(model); !ok) return pass_on(std::move(ok));
+  CharacterMesh mesh = character_mesh(model);
+  RestShape rest = rest_shape(model, mesh, hierarchy_order(model));
+  mesh.positions = std::move(rest.positions);
+  HeadSite site;
+  site.inside.assign(mesh.vertices(), true);
+  const Humanoid humanoid = find_humanoid(model, rest.global);
+  const int head = humanoid.find(HumanoidBone::head);
+  if (head >= 0) {
+    const BodyAxes axes = standing_axes(model, humanoid, rest.global);
+    site.axes = Mat3(axes.left, axes.up, axes.front);
+    std::vector<bool> of_head(model.nodes.size(), false);
+    for (const int node : hierarchy_order(model)) {
+      const auto at = static_cast<std::size_t>(node);
+      const int parent = model.nodes[at].parent;
+      of_head[at] = node == head || (parent >= 0 && of_head[static_cast<std::size_t>(parent)]);
+    }
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) site.inside[v] = of_head[static_cast<std::size_t>(mesh.bone(v))];
+  }
+  return find_landmarks(mesh, site, model.file);
+}
 
 Result<ModelFace> model_face(const Model& model, const LandmarkPlaces& landmarks, const std::string& name) {
   if (auto ok = check_drawn_vertices(model); !ok) return pass_on(std::move(ok));

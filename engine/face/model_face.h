@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/face/face_transfer.h"
+#include "engine/face/find_landmarks.h"
 #include "engine/face/head_shapes.h"
 #include "engine/model/character_mesh.h"
 #include "engine/model/model.h"
@@ -16,6 +17,10 @@ struct ModelFace {
   std::vector<Mat3> blend;   ///< [vertices] from the bind pose to rest
   TransferredFace transfer;  ///< of that mesh
 };
+
+/// Landmarks found on the model: at its humanoid head, or on the whole of a mesh without a skeleton. Points at rest. Fails
+/// as find_landmarks does.
+Result<FoundLandmarks> find_model_landmarks(const Model& model);
 
 /// Lays the template's face on the model. `name`: the landmark file's, for messages. Fails as placed_landmarks and
 /// transfer_face do.
