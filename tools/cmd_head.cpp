@@ -18,7 +18,7 @@ namespace {
 
 struct Words {
   CommonOptions common;
-  std::string output, measures, save_measures, half, on, landmarks;
+  std::string output, measures, save_measures, half, on, landmarks, save_landmarks;
   std::optional<std::string> age, skull;
   std::vector<std::string> measure, expression, region;
   std::optional<int> level;
@@ -35,7 +35,9 @@ Result<void> check_words(const Words& words) {
   const bool drawn = words.age || words.skull || words.level || words.strict || !words.measure.empty() ||
                      !words.measures.empty() || !words.save_measures.empty() || !words.expression.empty() ||
                      !words.region.empty();
-  if (words.on.empty() != words.landmarks.empty() && !words.landmarks.empty())
+  if (words.on.empty() && !words.save_landmarks.empty())
+    return failure(ErrorKind::usage, "--save-landmarks {}: expected --on MODEL beside it", words.save_landmarks);
+  if (words.on.empty() && !words.landmarks.empty())
     return failure(ErrorKind::usage, "--landmarks {}: without --on MODEL there is nothing they lie on", words.landmarks);
   const bool shaped = words.age || words.skull || words.level || !words.measure.empty() || !words.measures.empty() ||
                       !words.save_measures.empty() || !words.half.empty();
@@ -165,7 +167,10 @@ Result<void> on_model(const Words& words) {
   }
   const auto pose = wanted_pose(words);
   if (!pose) return tl::unexpected<Error>(pose.error());
-  if (auto ok = check_writable(words.output); !ok) return ok;
+  for (const std::string& file : {words.output, words.save_landmarks})
+    if (auto ok = file.empty() ? Result<void>() : check_writable(file); !ok) return ok;
+  if (!words.save_landmarks.empty())
+    if (auto ok = write_file(words.save_landmarks, landmarks_text(*landmarks)); !ok) return ok;
   const auto face = model_face(*model, *landmarks, words.landmarks.empty() ? words.on : words.landmarks);
   if (!face) return tl::unexpected<Error>(face.error());
   for (const std::string& note : face->transfer.notes) spdlog::info("{}: {}", words.on, note);
@@ -249,6 +254,7 @@ void add_head(CLI::App& program, Run& run) {
   command->add_option("--half", words->half, "Mirror this half (.glb, .gltf, .obj) instead of drawing a head");
   command->add_option("--on", words->on, "Lay the face on this model (.glb, .gltf, .obj) instead of drawing a head");
   command->add_option("--landmarks", words->landmarks, "Where the model's face is (JSON): with --on; else looked for");
+  command->add_option("--save-landmarks", words->save_landmarks, "Write the landmarks that were used to this file");
   command->add_option("--expression", words->expression, "NAME or NAME=STRENGTH: show it; repeatable");
   command->add_option("--region", words->region, "NAME=NUMBER,...: move a region, as scenes do; repeatable");
   command->add_flag("--strict", words->strict, "Of expressions only what the thesis' tables have");

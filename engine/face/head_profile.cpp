@@ -52,15 +52,13 @@ std::optional<HeadProfile> find_profile(const std::vector<Vec3>& positions, cons
   // The head is about as deep as it is high; the face below the nose is two fifths of what is above it.
   const double depth = box.high.z - box.low.z, above = box.high.y - line.height(nose);
   const double unit = above / 2.4;
-  // The chin's underside: where the outline falls back for good.
-  std::size_t chin = nose;
-  const std::size_t lowest = line.at(line.height(nose) - 1.75 * unit);
-  const std::size_t boss_from = line.at(line.height(nose) - 0.75 * unit);
-  const std::size_t boss = line.extreme(boss_from, lowest, true);
-  for (chin = boss; chin + 1 < line.depth.size(); ++chin) {
-    const double fall = line.depth[chin] - line.depth[chin + 1];
-    if (fall > 1.6 * line.step || line.depth[boss] - line.depth[chin] > 0.12 * unit) break;
-  }
+  // The chin's underside, from below: where the outline has come out from the neck nearly as far as the lips.
+  constexpr double behind_lips = 0.34;
+  const std::size_t lowest = line.at(line.height(nose) - 1.85 * unit);
+  const double lips = line.depth[line.extreme(line.at(line.height(nose) - 0.45 * unit),
+                                              line.at(line.height(nose) - 0.85 * unit), true)];
+  std::size_t chin = lowest;
+  while (chin > nose && !(line.depth[chin] > lips - behind_lips * unit)) --chin;
   out.chin = place(chin);
   if (!std::isfinite(out.chin.z) || depth <= 0.0) return {};
   // Nose, then the dents and rises of the lips, as far as the skin has any.
@@ -83,6 +81,8 @@ std::optional<HeadProfile> find_profile(const std::vector<Vec3>& positions, cons
     if (dent > deepest) {
       deepest = dent;
       out.lip_contact = place(i);
+      // Between lips that part a little the line goes into the mouth.
+      out.lip_contact.z = std::max(out.lip_contact.z, std::min(upper, lower) - 0.08 * unit);
     }
   }
   out.has_lips = out.has_nose && deepest > 0.01 * unit;

@@ -108,7 +108,7 @@ Pairs with_skin_pairs(const TemplateSkin& skin, const Pairs& landmarks, const Ra
 }  // namespace
 
 TemplateFit fit_template(const Head& head, const FaceMesh& mesh) {
-  constexpr double reach = 0.45, alike = 0.15, gentle_looseness = 0.4, gentle_width = 0.35;
+  constexpr double reach = 0.45, alike = 0.15, farther = 0.04, gentle_looseness = 0.4, gentle_width = 0.35;
   const TemplateSkin skin = template_skin(head);
   const TriangleTree target(mesh.positions, mesh.skin_triangles);
   const Pairs landmarks = landmark_pairs(skin, mesh.marks);
@@ -135,15 +135,17 @@ TemplateFit fit_template(const Head& head, const FaceMesh& mesh) {
       [&](std::size_t v) {
         if (!is_skin[v]) return;
         const Vec3& p = mesh.positions[v];
-        near[v] = ours.nearest(p, reach, [](std::size_t) { return true; }).has_value();
-        if (!near[v]) return;
+        const auto any = ours.nearest(p, reach, [](std::size_t) { return true; });
+        if (!any) return;
+        near[v] = 1;
         const auto found = ours.nearest(p, reach, [&](std::size_t t) {
           if (sides[v] != 0)
             for (std::size_t c = 0; c < 3; ++c)
               if (skin.sides[skin.triangles[3 * t + c]] == -sides[v]) return false;
           return glm::dot(face_normal(at, skin.triangles, t), mesh.normals[v]) > alike;
         });
-        if (!found) return;
+        // What lies nearer but faces elsewhere says that this is a fold or an edge which the template does not have there.
+        if (!found || found->distance > any->distance + farther) return;
         TemplatePlace place;
         Vec3 from(0.0);
         for (std::size_t c = 0; c < 3; ++c) {
