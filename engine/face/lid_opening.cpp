@@ -101,10 +101,10 @@ LidOpening::LidOpening(const FaceMesh& mesh, const TriangleTree& skin, int side)
     const double along = double(i) / samples;
     const Vec3 start(glm::mix(inner_.x, outer_.x, along), centre_.y, centre_.z);
     // From the ball's surface on: what lies inside is not seen.
-    const double aside = start.x - centre_.x, ball = std::sqrt(std::max(0.0, radius_ * radius_ - aside * aside));
+    const double aside = start.x - centre_.x, surface = std::sqrt(std::max(0.0, radius_ * radius_ - aside * aside));
     const auto blocked = [&](double angle) {
       const Vec3 way(0, std::sin(angle), std::cos(angle));
-      return skin.first_crossing(start + ball * way, way, reach * radius_ - ball).has_value();
+      return skin.first_crossing(start + surface * way, way, reach * radius_ - surface).has_value();
     };
     const auto edge = [&](double inside, double outside) {
       for (int k = 0; k < 8; ++k) {
@@ -134,8 +134,11 @@ LidOpening::LidOpening(const FaceMesh& mesh, const TriangleTree& skin, int side)
     upper_[at] = std::max(up, low);
     lower_[at] = std::min(up, low);
   }
-  const bool told = mesh.has_eyeball[static_cast<std::size_t>(side)] && !upper_mark.empty() && !lower_mark.empty();
-  open_ = told || free > samples / 4;
+  const bool told = !upper_mark.empty() && !lower_mark.empty();
+  const bool ball = mesh.has_eyeball[static_cast<std::size_t>(side)];
+  // Where the ball would be is a guess without one: then the landmarks alone say where the lids are.
+  open_ = told || (ball && free > samples / 4);
+  if (told && !ball) off = INFINITY;
   // Where something else stands before the eye, such as a film of tears, the landmarks are believed.
   if (off > off_marks && !upper_mark.empty()) upper_ = upper_mark;
   if (off > off_marks && !lower_mark.empty()) lower_ = lower_mark;
