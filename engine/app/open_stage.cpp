@@ -5,6 +5,7 @@
 #include "engine/body/built_in_model.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
+#include "engine/face/model_face.h"
 #include "engine/io/gltf_read.h"
 #include "engine/io/scene_file.h"
 #include "engine/model/resample.h"
@@ -202,6 +203,29 @@ Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Pl
   return {};
 }
 
+/// The face that the scene's landmarks give the model.
+Result<void> lay_face(StagedCharacter& character) {
+  const std::string& file = character.scene.landmarks;
+  if (file.empty()) return {};
+  LandmarkPlaces places;
+  if (file == "auto") {
+    const auto found = find_model_landmarks(*character.model);
+    if (!found) return tl::unexpected<Error>(found.error());
+    for (const auto& [mark, place] : found->marks) places[mark] = place;
+  } else {
+    auto read = read_landmarks(file);
+    if (!read) return pass_on(std::move(read));
+    places = std::move(*read);
+  }
+  const auto laid = model_face(*character.model, places, file == "auto" ? character.scene.model.string() : file);
+  if (!laid) return tl::unexpected<Error>(laid.error());
+  auto face = character_face(*laid, character.mesh, character.scene.model.string());
+  if (!face) return pass_on(std::move(face));
+  character.mesh.face = std::move(*face);
+  character.model_hash += " " + landmarks_text(places);
+  return {};
+}
+
 /// What follows from the model alone.
 Result<void> prepare_model(StagedCharacter& character, const SceneOptions& options, std::optional<Bytes> bytes) {
   if (auto ok = load_model(character, std::move(bytes)); !ok) return ok;
@@ -210,6 +234,7 @@ Result<void> prepare_model(StagedCharacter& character, const SceneOptions& optio
   character.rest_rotations = rest_rotations(model, character.order);
   if (auto ok = check_drawn_vertices(model); !ok) return ok;
   character.mesh = character_mesh(model);
+  if (auto ok = lay_face(character); !ok) return ok;
   if (options.vertices > 0) {
     auto mesh = resample(character.mesh, options.vertices);
     if (!mesh) return bad_input("{}: {}", character.scene.model.string(), mesh.error().message);

@@ -81,18 +81,6 @@ const Head& template_head() {
   return head;
 }
 
-FaceRig TransferredFace::rig() const {
-  FaceRig out = head.face;
-  out.vertices.clear();
-  out.deltas.clear();
-  out.first.assign(1, 0);
-  for (const std::uint32_t place : place_of)
-    append_vertex(head.face.vertices[place],
-                  {head.face.deltas.begin() + head.face.first[place], head.face.deltas.begin() + head.face.first[place + 1]},
-                  out);
-  return out;
-}
-
 Result<TransferredFace> transfer_face(const Head& from, const CharacterMesh& mesh, const Landmarks& landmarks,
                                       const std::string& name) {
   Landmarks head_marks;
@@ -105,6 +93,9 @@ Result<TransferredFace> transfer_face(const Head& from, const CharacterMesh& mes
   TransferredFace out;
   out.to_mesh = target.to_mesh;
   out.place_of = target.place_of;
+  for (const FaceGuideName& guide : face_guide_names())
+    if (const auto mark = target.marks.find(guide.name); mark != target.marks.end())
+      out.guides.*guide.height = mark->second.y;
   out.head.positions = target.positions;
   out.head.normals = target.normals;
   out.head.skin_vertices = target.positions.size();

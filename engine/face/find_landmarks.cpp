@@ -60,7 +60,8 @@ Result<FoundLandmarks> find_landmarks(const CharacterMesh& mesh, const HeadSite&
                            "lipCornerRight", "noseBase", "lipContact", "noseTip"})
     proportional(mark);
   out.marks["chin"] = profile->chin;
-  if (profile->has_nose) {
+  // A nose alone, on a head without lips, is no measure for where the lips would be.
+  if (profile->has_lips) {
     out.marks["noseTip"] = profile->nose_tip;
     out.marks["noseBase"] = profile->nose_base;
   }
@@ -78,7 +79,7 @@ Result<FoundLandmarks> find_landmarks(const CharacterMesh& mesh, const HeadSite&
         out.marks[side > 0 ? "lipCornerLeft" : "lipCornerRight"] = *corner;
   }
   out.notes.push_back(fmt::format("landmarks were found: nose {}, lips {}, eyes {}",
-                                  profile->has_nose ? "by its profile" : "by proportion",
+                                  profile->has_lips ? "by its profile" : "by proportion",
                                   profile->has_lips ? "by their profile" : "by proportion",
                                   eyes.empty() ? "by proportion" : "by their balls"));
   for (auto& [mark, place] : out.marks) place = site.axes * place;

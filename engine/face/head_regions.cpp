@@ -145,28 +145,4 @@ void push_out_of_eyes(const FaceRig& face, std::vector<Vec3>& skin) {
   }
 }
 
-void append_vertex(const FaceVertex& vertex, const std::vector<FaceDelta>& deltas, FaceRig& face) {
-  face.vertices.push_back(vertex);
-  face.deltas.insert(face.deltas.end(), deltas.begin(), deltas.end());
-  face.first.push_back(static_cast<std::uint32_t>(face.deltas.size()));
-}
-
-FaceBlend blend_vertices(const FaceRig& face, std::span<const std::uint32_t> vertices,
-                         std::span<const double> weights) {
-  FaceBlend out;
-  std::map<std::uint32_t, FaceDelta> sums;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const std::uint32_t v = vertices[i];
-    out.vertex.jaw += weights[i] * face.vertices[v].jaw;
-    out.vertex.jaw_sealed += weights[i] * face.vertices[v].jaw_sealed;
-    for (std::uint32_t d = face.first[v]; d < face.first[v + 1]; ++d) {
-      FaceDelta& sum = sums.try_emplace(face.deltas[d].signal, FaceDelta{face.deltas[d].signal, {}, {}}).first->second;
-      sum.position += weights[i] * face.deltas[d].position;
-      sum.normal += weights[i] * face.deltas[d].normal;
-    }
-  }
-  for (const auto& [signal, delta] : sums) out.deltas.push_back(delta);
-  return out;
-}
-
 }  // namespace sinew

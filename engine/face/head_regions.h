@@ -17,14 +17,4 @@ FaceLimits face_limits(const FaceRig& face, double nose_scale);
 /// Nothing of the lids may lie inside the eyeball, at rest either: moves such vertices out.
 void push_out_of_eyes(const FaceRig& face, std::vector<Vec3>& skin);
 
-/// A face with the vertices of another behind its own. `other` has the same signals.
-void append_vertex(const FaceVertex& vertex, const std::vector<FaceDelta>& deltas, FaceRig& face);
-
-/// The mean of vertices, by weights: for what sits on the skin.
-struct FaceBlend {
-  FaceVertex vertex;
-  std::vector<FaceDelta> deltas;
-};
-FaceBlend blend_vertices(const FaceRig& face, std::span<const std::uint32_t> vertices, std::span<const double> weights);
-
 }  // namespace sinew

@@ -89,6 +89,31 @@ Result<ModelFace> model_face(const Model& model, const LandmarkPlaces& landmarks
   return out;
 }
 
+Result<CharacterFace> character_face(const ModelFace& face, const CharacterMesh& bind, const std::string& name) {
+  constexpr double alike = 1e-4;  // of a drawing unit
+  CharacterFace out;
+  out.rig = face.transfer.rig();
+  out.guides = face.transfer.guides;
+  const Similarity& to_rest = face.transfer.to_mesh;
+  std::optional<std::size_t> first;
+  for (std::size_t v = 0; v < bind.vertices(); ++v) {
+    if (!out.rig.moves(v)) continue;
+    if (!first) first = v;
+    const Mat3& blend = face.blend[*first];
+    const Vec3 here = face.mesh.positions[*first] + blend * (bind.positions[v] - bind.positions[*first]);
+    if (glm::distance(here, face.mesh.positions[v]) > alike * to_rest.scale)
+      return bad_input("{}: the parts of its face stand in spaces of their own; sinew head --on gives it morph targets",
+                       name);
+  }
+  if (!first) return out;
+  const Mat3 back = glm::inverse(face.blend[*first]);
+  const double scale = std::cbrt(glm::determinant(back));
+  out.place.unit = scale * to_rest.scale;
+  out.place.axes = back * to_rest.rotation / scale;
+  out.place.origin = bind.positions[*first] + back * (to_rest.translation - face.mesh.positions[*first]);
+  return out;
+}
+
 std::size_t add_face_targets(const ModelFace& face, std::span<const HeadShape> shapes, Model& model) {
   std::size_t moving = 0;
   const std::vector<PartPlace> parts = part_places(model, face.mesh);

@@ -26,6 +26,10 @@ Result<FoundLandmarks> find_model_landmarks(const Model& model);
 /// transfer_face do.
 Result<ModelFace> model_face(const Model& model, const LandmarkPlaces& landmarks, const std::string& name);
 
+/// The face for the deformers, which move the bind pose. Fails as bad_input where the vertices that move lie in more
+/// than one space, as those of rigid parts of their own do: such models take morph targets alone.
+Result<CharacterFace> character_face(const ModelFace& face, const CharacterMesh& bind, const std::string& name);
+
 /// Adds a morph target a shape to every mesh of which the face moves a vertex, and returns how many vertices move.
 std::size_t add_face_targets(const ModelFace& face, std::span<const HeadShape> shapes, Model& model);
 

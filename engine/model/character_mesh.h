@@ -2,11 +2,13 @@
 /// A model's drawn meshes as one run of vertices, ready to be deformed.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/math.h"
 #include "engine/core/result.h"
+#include "engine/model/face.h"
 #include "engine/model/model.h"
 
 namespace sinew {
@@ -57,6 +59,7 @@ struct CharacterMesh {
   std::vector<MorphSlot> morph_slots;
   std::vector<std::uint32_t> morph_first;  ///< [vertices + 1] where each vertex's run starts in `morph_deltas`
   std::vector<MorphDelta> morph_deltas;
+  std::optional<CharacterFace> face;  ///< moved by regions, after morph targets and before the skin; absent: none
 
   std::size_t vertices() const { return positions.size(); }
   /// The node that vertex `v` follows most: its bone in the sense of engine/definitions.md 6.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ struct FaceChannelName {
   const char* number;  ///< "" where the region has one
 };
 const std::array<FaceChannelName, face_channels>& face_channel_names();
+/// Both in one word: "browLeft.up", "jaw".
+std::string channel_word(FaceChannel channel);
 
 /// What the deltas are multiplied by: all that is linear. The sides' come twice, left first.
 enum class FaceSignal : std::uint8_t {
@@ -142,6 +145,54 @@ struct FaceRig {
   double eye_scale = 1.0, mouth_scale = 1.0, jaw_scale = 1.0;  ///< this head's sizes over the adult's
   std::vector<Vec2> brow_outline;                              ///< of the left brow at rest
   double brow_inner = 0.0, brow_outer = 0.0;  ///< distances of its ends from the middle: pivots of its turn
+
+  /// Whether a vertex takes part in anything.
+  bool moves(std::size_t v) const {
+    const FaceVertex& vertex = vertices[v];
+    return vertex.eye >= 0 || vertex.jaw != 0.0 || vertex.jaw_sealed != 0.0 || first[v] != first[v + 1];
+  }
+};
+
+/// Adds a vertex behind the others.
+void append_vertex(const FaceVertex& vertex, const std::vector<FaceDelta>& deltas, FaceRig& rig);
+
+/// The mean of vertices, by weights: for what sits on the skin, so that it takes no part in lids and eyes.
+struct FaceBlend {
+  FaceVertex vertex;
+  std::vector<FaceDelta> deltas;
+};
+FaceBlend blend_vertices(const FaceRig& rig, std::span<const std::uint32_t> vertices, std::span<const double> weights);
+
+/// The face without its vertices: what limits and amounts go by.
+FaceRig face_sizes(const FaceRig& rig);
+
+/// The same face on other vertices: each takes part as the one of `rig` that it names. [vertices wanted]
+FaceRig picked_face(const FaceRig& rig, std::span<const std::uint32_t> vertices);
+
+/// Where a face's drawing units lie in a mesh's bind pose: p = origin + unit * (axes * d).
+struct FacePlace {
+  Mat3 axes{1.0};    ///< a rotation: the head's left, its up, its front
+  Vec3 origin{0.0};  ///< under the chin, in the middle of the skull
+  double unit = 1.0;
+};
+
+/// Heights of the lines that a head is drawn by (Loomis 1956), drawing units; not a number where nobody knows.
+struct FaceGuides {
+  double crown = NAN, hair_line = NAN, brow = NAN, eye_line = NAN, nose_base = NAN, lip_contact = NAN, chin = NAN;
+};
+/// A guide line's landmark.
+struct FaceGuideName {
+  const char* name;   ///< as landmarks are named
+  const char* words;  ///< for people
+  double FaceGuides::*height;
+};
+std::span<const FaceGuideName> face_guide_names();
+
+/// The face of a character. Whoever knows a mesh's regions gives it: a drawn head its own, a transfer another's.
+struct CharacterFace {
+  FaceRig rig;  ///< in the order of the mesh's vertices; those beside the face take part in nothing
+  FacePlace place;
+  FaceGuides guides;
 };
 
 }  // namespace sinew
