@@ -3,6 +3,8 @@
 #include "embedded/default_scene.h"
 #include "engine/app/emotion_use.h"
 #include "engine/app/stage_model.h"
+#include "engine/body/built_in_model.h"
+#include "engine/body/headed_figure.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/scene_file.h"
@@ -78,18 +80,35 @@ Result<OpenedScene> open_scene(const std::string& source) {
   return opened;
 }
 
-/// The head that `builtin:head` stands for, at the age of `frame`; nothing to do for other models.
+/// Models that are drawn from the scene's "head": a head alone, or a figure that wears one.
 Result<void> draw_head(StagedCharacter& character, double frame, const Place& place) {
   const std::string name = character.scene.model.string();
-  if (name != "builtin:head") {
-    if (!character.scene.head) return {};
-    return place.at("/head", Result<void>(bad_input("is for \"builtin:head\" alone, not for {}", name)));
+  const std::optional<HeadSpec>& spec = character.scene.head;
+  if (name == "builtin:head") {
+    auto head = DrawnHead::make(spec.value_or(HeadSpec{}), frame);
+    if (!head) return place.inside("/head", std::move(head));
+    character.face.head = std::make_shared<DrawnHead>(std::move(*head));
+    character.model = std::make_unique<Model>(character.face.head->model());
+    character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
+    return {};
   }
-  auto head = DrawnHead::make(character.scene.head.value_or(HeadSpec{}), frame);
-  if (!head) return place.inside("/head", std::move(head));
-  character.face.head = std::make_shared<DrawnHead>(std::move(*head));
-  character.model = std::make_unique<Model>(character.face.head->model());
-  character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
+  if (!spec) return {};
+  const auto figure = built_in_figure(name);
+  if (!figure)
+    return place.at("/head",
+                    Result<void>(bad_input("is for \"builtin:head\" and the built-in figures, not for {}", name)));
+  if (!spec->age.is_constant())
+    return place.at("/head/age",
+                    Result<void>(bad_input("a figure's head keeps its age; only builtin:head changes it")));
+  const auto measures = head_measures(*spec, frame);
+  if (!measures) return place.inside("/head", Result<HeadMeasures>(measures));
+  auto headed = build_headed_figure(*figure, *measures, spec->level.value_or(default_head_level));
+  if (!headed) return place.at("/head", std::move(headed));
+  character.face.worn = headed->face();
+  character.model = std::make_unique<Model>(std::move(headed->model));
+  character.model->file = name;
+  character.model_hash =
+      fmt::format("{} {} {}", name, sha256(measures_text(*measures)), spec->level.value_or(default_head_level));
   return {};
 }
 
@@ -339,7 +358,8 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
     staged.scene = character;
     std::size_t same = 0;
     const auto is_other = [&](const StagedCharacter& old) {
-      return !old.model || old.scene.model != character.model || old.scene.head != character.head;
+      return !old.model || old.scene.model != character.model || old.scene.head != character.head ||
+             old.scene.landmarks != character.landmarks;
     };
     while (same < stage.characters.size() && (taken[same] || is_other(stage.characters[same]))) ++same;
     if (same < stage.characters.size()) {
@@ -354,6 +374,7 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
       staged.mesh = std::move(old.mesh);
       staged.rest = std::move(old.rest);
       staged.face.head = old.face.head;
+      staged.face.worn = old.face.worn;
     } else {
       taken_from.push_back(-1);
       const double first = scene.frames.value_or(FrameSpan{}).first;

@@ -138,6 +138,17 @@ void add_to_figure(Model head, Model& figure) {
 
 }  // namespace
 
+CharacterFace HeadedFigure::face() const {
+  CharacterFace out{face_sizes(head.face), {.origin = origin, .unit = head.metres()}, head_guides(head.measures)};
+  for (std::uint32_t v = 0; v < first_vertex; ++v) append_vertex({}, {}, out.rig);
+  const FaceRig moving = picked_face(head.face, head_vertices(head));
+  for (std::size_t v = 0; v < moving.vertices.size(); ++v) {
+    const auto run = std::span(moving.deltas).subspan(moving.first[v], moving.first[v + 1] - moving.first[v]);
+    append_vertex(moving.vertices[v], {run.begin(), run.end()}, out.rig);
+  }
+  return out;
+}
+
 Result<HeadedFigure> build_headed_figure(const BodyOptions& options, const HeadMeasures& measures, int level,
                                          bool with_shapes) {
   if (auto ok = check_figure_options(options); !ok) return pass_on(std::move(ok));

@@ -12,6 +12,9 @@ struct HeadedFigure {
   Head head;                   ///< as it came to stand: its neck is the figure's, what lay below is gone; drawing units
   Vec3 origin{0.0};            ///< where the head's origin stands at rest, metres
   std::uint32_t first_vertex;  ///< of the head's, counted over all primitives
+
+  /// Its regions, for all of the model's vertices, primitives one after another.
+  CharacterFace face() const;
 };
 
 /// The figure wears this head, as tall as its own was; `with_shapes`: with the morph targets that `head_shapes` makes.

@@ -46,10 +46,15 @@ Result<HeadMeasures> measures_at(const HeadSpec& spec, double age) {
 }
 
 CharacterFace face_of(const Head& head) {
-  return {picked_face(head.face, head_vertices(head)), {.unit = head.metres()}};
+  return {picked_face(head.face, head_vertices(head)), {.unit = head.metres()}, head_guides(head.measures)};
 }
 
 }  // namespace
+
+Result<HeadMeasures> head_measures(const HeadSpec& spec, double frame) {
+  if (auto ok = check_names(spec); !ok) return pass_on(std::move(ok));
+  return measures_at(spec, spec.age.value_at(frame));
+}
 
 Result<DrawnHead> DrawnHead::make(const HeadSpec& spec, double frame) {
   if (auto ok = check_names(spec); !ok) return pass_on(std::move(ok));
@@ -107,7 +112,10 @@ void DrawnHead::age(double frame, CharacterMesh& mesh) const {
     mesh.normals[v] = unit_or(glm::mix(older->normals[v], younger->normals[v], t), older->normals[v]);
   }
   mesh.face = {blended_face(older->face.rig, younger->face.rig, t),
-               {.unit = glm::mix(older->face.place.unit, younger->face.place.unit, t)}};
+               {.unit = glm::mix(older->face.place.unit, younger->face.place.unit, t)},
+               older->face.guides};
+  for (const FaceGuideName& guide : face_guide_names())
+    mesh.face->guides.*guide.height = glm::mix(older->face.guides.*guide.height, younger->face.guides.*guide.height, t);
 }
 
 }  // namespace sinew

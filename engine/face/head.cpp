@@ -7,6 +7,7 @@
 #include "engine/face/head_layout.h"
 #include "engine/face/head_normals.h"
 #include "engine/face/head_regions.h"
+#include "engine/face/landmarks.h"
 
 namespace sinew {
 namespace {
@@ -161,6 +162,10 @@ class HeadBuilder {
                        {"chin", vertex(chin_point(3, 2))},
                        {"earTop", vertex(ear_point(2, 17))},
                        {"earBottom", vertex(ear_point(2, 8))}};
+    for (const LandmarkName& l : landmark_names()) {
+      const std::uint32_t left = vertex(l.place);
+      head_.marks[l.name] = l.right ? topology_.mirror()[left] : left;
+    }
   }
 
   void set_lip_line() {
@@ -205,6 +210,10 @@ class HeadBuilder {
 };
 
 }  // namespace
+
+FaceGuides head_guides(const HeadMeasures& m) {
+  return {head_units, m.hair_line, m.brow_height, m.eye_height, m.nose_height, m.mouth_height, 0.0};
+}
 
 struct HeadMaker::Impl {
   explicit Impl(int level) : topology(level), triangles(skin_triangles(topology)), layout(skin_layout(topology)) {}

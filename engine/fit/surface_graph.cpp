@@ -32,7 +32,7 @@ void number_shells(SurfaceGraph& graph, std::size_t vertices) {
 
 }  // namespace
 
-SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles) {
+SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles, bool over_seams) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
     edges.emplace_back(a, b);
@@ -46,6 +46,7 @@ SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std:
     const Vec3& p = positions[v];
     return std::tuple(p.x, p.y, p.z, v);
   };
+  if (!over_seams) by_place.clear();
   std::sort(by_place.begin(), by_place.end(), [&](auto a, auto b) { return place(a) < place(b); });
   for (std::size_t i = 1; i < by_place.size(); ++i)
     if (positions[by_place[i]] == positions[by_place[i - 1]]) join(by_place[i - 1], by_place[i]);

@@ -20,7 +20,9 @@ struct SurfaceGraph {
   }
 };
 
-/// Neighbours by the triangles' edges, [3 * triangles] indices; vertices at the very same place are neighbours too.
-SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles);
+/// Neighbours by the triangles' edges, [3 * triangles] indices; vertices at the very same place are neighbours too,
+/// unless `over_seams` is false.
+SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles,
+                           bool over_seams = true);
 
 }  // namespace sinew

@@ -76,6 +76,8 @@ ordered_json character_to_json(const Character& character, const fs::path& folde
   if (character.count != defaults.count) object["count"] = character.count;
   for (const MuscleSpec& muscle : character.muscles) object["muscles"].push_back(muscle_to_json(muscle));
   if (!character.keys.empty()) object["keys"] = map_to_json(character.keys);
+  if (!character.landmarks.empty())
+    object["landmarks"] = character.landmarks == "auto" ? "auto" : path_text(character.landmarks, folder);
   write_face(character, folder, object);
   return object;
 }

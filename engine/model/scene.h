@@ -22,7 +22,7 @@ enum class MusclePreset { biceps, calf, triceps, forearm_flexors, quadriceps, ha
 enum class Expression { neutral, smile, laugh, anger, surprise, shout, fear, sadness, doubt, disgust };
 enum class View { front, back, left, right, top, three_quarter };
 enum class Shading { lit, flat, clay, normals, weights, bulge, depth };
-enum class Overlay { skeleton, bones, muscles, arrows, projection, box, axes, wire, wire_all };
+enum class Overlay { skeleton, bones, muscles, arrows, projection, box, axes, wire, wire_all, guides, regions };
 enum class CompareWith { none, bulge, deformer, overlay };
 enum class ComparisonPlace { panels, inset };
 enum class MusclePlot { none, angle, profile };
@@ -146,6 +146,7 @@ struct Character {
   Keyed<double> turn = Keyed<double>::constant(0);        ///< degrees about +Y
   int count = 1;                                          ///< copies; more than 1 is refused until crowds exist
   std::vector<MuscleSpec> muscles;                        ///< no two of one muscle_name()
+  std::string landmarks;  ///< gives the model a face: a landmark file, "auto": look for them; empty: none
   std::map<std::string, Keyed<Vec3>> keys;                ///< joint name -> degrees about the model's x, y, z, in turn
   std::optional<HeadSpec> head;                           ///< of builtin:head; absent: an adult's
   std::optional<Keyed<ExpressionWeight>> expressions;     ///< absent: neutral
