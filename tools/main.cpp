@@ -71,6 +71,7 @@ int run_program(int count, char** words) {
   add_motion(program, run);
   add_head(program, run);
   add_fit_skin(program, run);
+  add_bind(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {
