@@ -97,5 +97,6 @@ void add_motion(CLI::App& program, Run& run);
 void add_head(CLI::App& program, Run& run);
 void add_fit_skin(CLI::App& program, Run& run);
 void add_bind(CLI::App& program, Run& run);
+void add_weights(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

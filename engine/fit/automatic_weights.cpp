@@ -14,7 +14,7 @@ namespace sinew {
 namespace {
 
 /// A vertex farther from its bone than this share of the height is reported.
-constexpr double far_share = 0.1;
+constexpr double far_share = 0.2;
 
 struct Nearest {
   std::vector<std::uint32_t> joint;  ///< [vertices]

@@ -23,7 +23,7 @@ struct AutomaticWeightReport {
   std::size_t vertices = 0, joints = 0, max_influences = 0;
   std::vector<std::string> outside;  ///< joints that lie outside of the mesh: they move nothing
   std::vector<std::string> idle;     ///< joints inside it that got no vertex all the same
-  std::size_t far = 0;               ///< vertices farther from their bone than a tenth of the height
+  std::size_t far = 0;               ///< vertices farther from their bone than a fifth of the height
   std::size_t farthest = 0;          ///< the vertex that is farthest
   std::string farthest_mesh;
   double farthest_distance = 0.0;  ///< world units

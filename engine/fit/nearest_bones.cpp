@@ -87,14 +87,14 @@ class Search {
     const bool direct = solid && straight < way;
     const double distance = direct ? std::max(straight, from.distance - solid_.size) : way;
     if (distance >= best_[cell]) return;
-    best_[cell] = std::min(best_[cell], way);
+    best_[cell] = std::min(best_[cell], static_cast<float>(way));
     queue_.push({distance, cell, from.segment, direct, way});
   }
 
   const VoxelSolid& solid_;
   std::span<const BoneSegment> segments_;
   std::vector<std::uint32_t> nearest_;
-  std::vector<double> best_;  ///< [cells] the shortest way so far
+  std::vector<float> best_;  ///< [cells] the shortest way so far
   std::size_t surface_left_;
   std::priority_queue<Reach, std::vector<Reach>, std::greater<>> queue_;
 };

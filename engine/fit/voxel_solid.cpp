@@ -6,7 +6,7 @@ namespace sinew {
 namespace {
 
 constexpr int margin = 2;           ///< voxels of air round the mesh
-constexpr std::uint8_t hiding = 5;  ///< sides that cannot see an inner voxel
+constexpr std::uint8_t hiding = 2;  ///< axes along which an inner voxel is shut in
 
 void mark_triangle(const std::array<Vec3, 3>& p, VoxelSolid& solid) {
   const double step = 0.5 * solid.size;
@@ -19,22 +19,19 @@ void mark_triangle(const std::array<Vec3, 3>& p, VoxelSolid& solid) {
     }
 }
 
-/// Counts, along one axis, from how many of its two ends the surface hides each cell.
+/// Counts the cells between the first and the last surface of every line along an axis.
 void look_along(int axis, const VoxelSolid& solid, std::vector<std::uint8_t>& hidden) {
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
   std::array<int, 3> at{};
   for (at[a] = 0; at[a] < solid.count[a]; ++at[a])
     for (at[b] = 0; at[b] < solid.count[b]; ++at[b]) {
-      const auto walk = [&](int from, int to, int step) {
-        bool behind = false;
-        for (at[axis] = from; at[axis] != to; at[axis] += step) {
-          const std::size_t cell = solid.index(at);
-          hidden[cell] = static_cast<std::uint8_t>(hidden[cell] + (behind ? 1 : 0));
-          behind = behind || solid.cells[cell] == Voxel::surface;
-        }
-      };
-      walk(0, solid.count[axis], 1);
-      walk(solid.count[axis] - 1, -1, -1);
+      int first = solid.count[axis], last = -1;
+      for (at[axis] = 0; at[axis] < solid.count[axis]; ++at[axis]) {
+        if (solid.cells[solid.index(at)] != Voxel::surface) continue;
+        first = std::min(first, at[axis]);
+        last = at[axis];
+      }
+      for (at[axis] = first; at[axis] < last; ++at[axis]) ++hidden[solid.index(at)];
     }
 }
 

@@ -32,9 +32,9 @@ struct VoxelSolid {
   bool sees(const Vec3& from, const Vec3& to) const;
 };
 
-/// `resolution` voxels along the longest side. A voxel that no triangle touches is inside where the surface hides it
-/// from at least five of the six sides of the box, so that a mesh may be open at one end and in many pieces (Dionne and
-/// de Lasa, *Geodesic Voxel Binding for Production Character Meshes*, 2013, ask for all six).
+/// `resolution` voxels along the longest side. A voxel that no triangle touches is inside where surface shuts it in
+/// from both sides along at least two of the three axes, so that a mesh may be open at both ends and in many pieces
+/// (Dionne and de Lasa, *Geodesic Voxel Binding for Production Character Meshes*, 2013, ask for all three).
 VoxelSolid voxel_solid(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles, int resolution);
 
 }  // namespace sinew

@@ -23,6 +23,23 @@ std::vector<Influence> weight_run(const Support& support) {
   return weight_run(std::move(weights));
 }
 
+void Mixture::add(std::span<const Influence> influences, double share) {
+  for (const Influence& influence : influences) weights_[influence.joint] += share * influence.weight;
+}
+
+std::vector<Influence> Mixture::list() const {
+  std::vector<Influence> out;
+  for (const auto& [joint, weight] : weights_)
+    if (weight > 0.0) out.push_back({joint, weight});
+  return out;
+}
+
+Influences gathered(std::span<const std::vector<Influence>> runs) {
+  Influences out;
+  for (const std::vector<Influence>& run : runs) out.add_vertex(run);
+  return out;
+}
+
 std::span<const Influence> influences_of(const Influences& influences, std::size_t v) {
   return std::span(influences.entries).subspan(influences.first[v], influences.first[v + 1] - influences.first[v]);
 }

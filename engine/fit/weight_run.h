@@ -1,6 +1,7 @@
 #pragma once
 /// One vertex's weights as files and deformers take them.
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,19 @@ constexpr double least_weight = 1e-7;
 std::vector<Influence> weight_run(std::vector<Influence> weights, std::size_t influences = Support::most,
                                   double least = least_weight);
 std::vector<Influence> weight_run(const Support& support);
+
+/// Weights of several vertices, summed up.
+class Mixture {
+ public:
+  void add(std::span<const Influence> influences, double share);
+  std::vector<Influence> list() const;  ///< those above 0
+
+ private:
+  std::map<std::uint32_t, double> weights_;
+};
+
+/// One run a vertex, as Influences.
+Influences gathered(std::span<const std::vector<Influence>> runs);
 
 /// The influences of vertex `v`.
 std::span<const Influence> influences_of(const Influences& influences, std::size_t v);
