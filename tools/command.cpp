@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "engine/app/options.h"
+#include "engine/core/files.h"
 #include "engine/core/frame_range.h"
 
 namespace sinew::tools {
@@ -19,11 +20,6 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--device", options.device, "Vulkan device: its index, or a part of its name")
       ->envname("SINEW_DEVICE");
   command.add_flag("--validate", options.validate, "Run with Vulkan's validation layer; any message is an error");
-}
-
-void add_later_option(CLI::App& command, const std::string& name) {
-  command.add_option(name)->group("")->each(
-      [name](const std::string&) { throw CLI::ValidationError(name + ": does not exist yet"); });
 }
 
 void add_scene_options(CLI::App& command, SceneWords& words) {
@@ -144,6 +140,15 @@ Result<void> check_validation(const Device& device) {
   if (messages.empty()) return {};
   return failure(ErrorKind::check_failed, "{} messages from the validation layer:\n{}", messages.size(),
                  fmt::join(messages, "\n"));
+}
+
+Result<void> check_fresh_output(const std::string& output, std::span<const std::string> inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (!input.empty() && std::filesystem::equivalent(input, output, none))
+      return failure(ErrorKind::cannot_write, "{}: is read by this very command; write to another file", output);
+  }
+  return check_writable(output);
 }
 
 void log_problems(const std::vector<std::string>& problems) {

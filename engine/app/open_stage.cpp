@@ -9,6 +9,7 @@
 #include "engine/core/text.h"
 #include "engine/io/scene_file.h"
 #include "engine/model/scene_words.h"
+#include "engine/rig/clip_sampling.h"
 #include "engine/rig/motion_file.h"
 
 namespace sinew {
@@ -110,27 +111,6 @@ Result<void> draw_head(StagedCharacter& character, double frame, const Place& pl
   character.model_hash =
       fmt::format("{} {} {}", name, sha256(measures_text(*measures)), spec->level.value_or(default_head_level));
   return {};
-}
-
-std::vector<std::string> clip_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const Clip& clip : model.clips) names.push_back(clip.name);
-  return names;
-}
-
-Result<int> find_clip(const Model& model, const ClipChoice& choice) {
-  if (std::holds_alternative<NoClip>(choice)) return -1;
-  const std::vector<std::string> names = clip_names(model);
-  if (const int* index = std::get_if<int>(&choice)) {
-    if (*index < static_cast<int>(names.size())) return *index;
-    return bad_input("{}: has no clip {}; it has {} ({})", model.file, *index, names.size(), fmt::join(names, ", "));
-  }
-  const std::string& name = std::get<std::string>(choice);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return static_cast<int>(i);
-  if (names.empty()) return bad_input("{}: has no clip \"{}\"; it has none at all", model.file, name);
-  return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names),
-                   names.size(), fmt::join(names, ", "));
 }
 
 Result<void> choose_clip(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place) {

@@ -25,4 +25,7 @@ struct SurfaceGraph {
 SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles,
                            bool over_seams = true);
 
+/// Numbers the distinct places, counted in `places`; vertices at the very same place share a number. [vertices]
+std::vector<std::uint32_t> same_places(std::span<const Vec3> positions, std::size_t& places);
+
 }  // namespace sinew
