@@ -88,6 +88,8 @@ Result<DrawnHead> DrawnHead::make(const HeadSpec& spec, double frame) {
   std::vector<FaceRig*> rigs;
   for (Stop& stop : out.stops_) rigs.push_back(&stop.face.rig);
   give_same_signals(rigs);
+  // With deltas of the same signals as every age to come: buffers that hold it hold them all.
+  out.face_ = out.face_at(frame);
   return out;
 }
 
@@ -104,6 +106,16 @@ FaceRig DrawnHead::sizes(double frame) const {
   return blended_face(face_sizes(older->face.rig), face_sizes(younger->face.rig), t);
 }
 
+CharacterFace DrawnHead::face_at(double frame) const {
+  const auto [older, younger, t] = span_at(frame);
+  CharacterFace out{blended_face(older->face.rig, younger->face.rig, t),
+                    {.unit = glm::mix(older->face.place.unit, younger->face.place.unit, t)},
+                    {}};
+  for (const FaceGuideName& guide : face_guide_names())
+    out.guides.*guide.height = glm::mix(older->face.guides.*guide.height, younger->face.guides.*guide.height, t);
+  return out;
+}
+
 void DrawnHead::age(double frame, CharacterMesh& mesh) const {
   if (!changes()) return;
   const auto [older, younger, t] = span_at(frame);
@@ -111,11 +123,7 @@ void DrawnHead::age(double frame, CharacterMesh& mesh) const {
     mesh.positions[v] = glm::mix(older->positions[v], younger->positions[v], t);
     mesh.normals[v] = unit_or(glm::mix(older->normals[v], younger->normals[v], t), older->normals[v]);
   }
-  mesh.face = {blended_face(older->face.rig, younger->face.rig, t),
-               {.unit = glm::mix(older->face.place.unit, younger->face.place.unit, t)},
-               older->face.guides};
-  for (const FaceGuideName& guide : face_guide_names())
-    mesh.face->guides.*guide.height = glm::mix(older->face.guides.*guide.height, younger->face.guides.*guide.height, t);
+  mesh.face = face_at(frame);
 }
 
 }  // namespace sinew

@@ -46,6 +46,7 @@ class DrawnHead {
     double t;
   };
   Span span_at(double frame) const;
+  CharacterFace face_at(double frame) const;
 
   Model model_;
   CharacterFace face_;

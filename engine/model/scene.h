@@ -68,13 +68,13 @@ struct ExpressionWeight {
 
 /// An expression that comes, stays and goes beside whatever else the face does: start at, run until, stop at.
 struct ExpressionCue {
-  std::string expression;      ///< any that the face knows, speech and blinks too; checked where the face is
-  double start = 0.0;          ///< the frame from which it comes
-  double until = 0.0;          ///< up to which it stays, from start on
-  std::optional<double> stop;  ///< at which it is gone, from until on; absent: `fade` frames after it
-  double fade = 6.0;           ///< frames in which it comes, >= 0; it stays at least as long as there is room for
-  double strength = 1.0;       ///< 0..most_expression_strength
-  Ease ease = Ease::linear;    ///< of coming and going
+  std::string expression;           ///< any that the face knows, speech and blinks too; checked where the face is
+  double start = 0.0;               ///< the frame from which it comes
+  double until = 0.0;               ///< up to which it stays, from start on
+  std::optional<double> stop = {};  ///< at which it is gone, from until on; absent: `fade` frames after it
+  double fade = 6.0;                ///< frames in which it comes, >= 0; it stays at least as long as there is room for
+  double strength = 1.0;            ///< 0..most_expression_strength
+  Ease ease = Ease::linear;         ///< of coming and going
 
   bool operator==(const ExpressionCue&) const = default;
 };
@@ -147,10 +147,10 @@ struct Character {
   int count = 1;                                          ///< copies; more than 1 is refused until crowds exist
   std::vector<MuscleSpec> muscles;                        ///< no two of one muscle_name()
   std::string landmarks;  ///< gives the model a face: a landmark file, "auto": look for them; empty: none
-  std::map<std::string, Keyed<Vec3>> keys;                ///< joint name -> degrees about the model's x, y, z, in turn
-  std::optional<HeadSpec> head;                           ///< of builtin:head; absent: an adult's
-  std::optional<Keyed<ExpressionWeight>> expressions;     ///< absent: neutral
-  std::vector<ExpressionCue> cues;                        ///< beside `expressions`
+  std::map<std::string, Keyed<Vec3>> keys;             ///< joint name -> degrees about the model's x, y, z, in turn
+  std::optional<HeadSpec> head;                        ///< of builtin:head; absent: an adult's
+  std::optional<Keyed<ExpressionWeight>> expressions;  ///< absent: neutral
+  std::vector<ExpressionCue> cues;                     ///< beside `expressions`
   std::map<std::string, Keyed<std::vector<double>>> regions;  ///< one of face_regions() -> its numbers
   std::vector<EmotionCue> emotion;                            ///< frames strictly rising
 

@@ -224,11 +224,15 @@ void expect_face(const ModelFace& face, const std::string& what) {
       const double move = glm::distance(at[v], head.positions[v]);
       farthest = std::max(farthest, move);
       // The template's neck ends there: what lies lower, shoulders and hands, has to stay.
-      if (head.positions[v].y < -1.0 || head.positions[v].y > 3.6) ASSERT_LT(move, 1e-9) << what << " " << e.name;
+      if (head.positions[v].y < -1.0 || head.positions[v].y > 3.6) {
+        ASSERT_LT(move, 1e-9) << what << " " << e.name;
+      }
     }
     // Two thirds of a unit is a jaw thrown open as far as it goes.
     EXPECT_LT(farthest, 0.9) << what << " " << e.name;
-    if (e.name != "neutral" && !e.name.starts_with("look")) EXPECT_GT(farthest, 0.01) << what << " " << e.name;
+    if (e.name != "neutral" && !e.name.starts_with("look")) {
+      EXPECT_GT(farthest, 0.01) << what << " " << e.name;
+    }
   }
 }
 
