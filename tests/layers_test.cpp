@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// From the top down. A layer may include itself and what stands after it.
-const std::vector<std::string> layers = {"tools", "app",    "render", "gpu", "body",  "face", "motion",
-                                         "fit",   "deform", "rig",    "io",  "model", "core"};
+const std::vector<std::string> layers = {"tools",  "view", "app",    "render", "gpu", "body",  "face",
+                                         "motion", "fit",  "deform", "rig",    "io",  "model", "core"};
 
 constexpr std::size_t most_lines = 500;
 
@@ -94,7 +94,7 @@ std::vector<std::string> wrong_includes(const SourceFile& file) {
 }
 
 bool may_know_vulkan(const std::string& path) {
-  return path.starts_with("engine/gpu/") || path.starts_with("engine/render/");
+  return path.starts_with("engine/gpu/") || path.starts_with("engine/render/") || path.starts_with("engine/view/");
 }
 
 bool is_vulkan(const std::string& include) {

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "engine/app/bench.h"
+#include "engine/motion/motion_bench.h"
 #include "tools/command.h"
 
 namespace sinew::tools {
@@ -18,7 +19,8 @@ struct Words {
 
 nlohmann::ordered_json timing_json(const Timing& t) { return {{"median", t.median}, {"p95", t.p95}}; }
 
-nlohmann::ordered_json report_json(const BenchReport& r, const Device& device, const PictureSize& size) {
+nlohmann::ordered_json report_json(const BenchReport& r, const MotionBench& motion, const Device& device,
+                                   const PictureSize& size) {
   nlohmann::ordered_json stages;
   const std::pair<const char*, const Timing*> rows[] = {
       {"pose", &r.pose}, {"upload", &r.upload},     {"deform", &r.deform}, {"deform_bare", &r.deform_bare},
@@ -45,6 +47,12 @@ nlohmann::ordered_json report_json(const BenchReport& r, const Device& device, c
                               {"bulge_fps", r.bulge_fps},
                               {"bulge_cost", r.bulge_cost},
                               {"pose_us", r.pose.median * 1000.0},
+                              {"motion",
+                               {{"fit_ms", motion.fit_ms},
+                                {"fit_frames", motion.fit_frames},
+                                {"fit_joints", motion.fit_joints},
+                                {"pose_us", motion.pose_us},
+                                {"pose_joints", motion.pose_joints}}},
                               {"peak_memory_mib", r.peak_memory_mib},
                               {"startup_ms", r.startup_ms}};
   if (r.face_ms) json["face_ms"] = *r.face_ms;
@@ -78,7 +86,7 @@ bool is_of_the_thesis(const Stage& stage) {
   });
 }
 
-void log_report(const BenchReport& r, const Stage& stage) {
+void log_report(const BenchReport& r, const MotionBench& motion, const Stage& stage) {
   spdlog::info("{} vertices, {} triangles, {} joints", r.vertices, r.triangles, r.joints);
   spdlog::info(
       "pose {:.3f}, upload {:.3f}, deform {:.3f} ({:.2f} times a bare 4-influence SSD kernel, {:.3f}), draw {:.3f}, "
@@ -94,6 +102,10 @@ void log_report(const BenchReport& r, const Stage& stage) {
       "{:.1f} frames/s plain SSD, {:.1f} with the bulge, which costs {:.1f} %; start-up {:.0f} ms, peak {:.0f} MiB",
       r.ssd_fps, r.bulge_fps, 100.0 * r.bulge_cost, r.startup_ms, r.peak_memory_mib);
   if (r.face_ms) spdlog::info("the face adds {:.3f} ms to plain SSD", *r.face_ms);
+  spdlog::info(
+      "motion: {:.0f} ms to fit {} frames of {} joints within 0.5 degrees on one core; {:.1f} us to play {} joints, "
+      "palette and all (ozz-animation's own figures: 1.0 to sample, 0.4 for its joints)",
+      motion.fit_ms, motion.fit_frames, motion.fit_joints, motion.pose_us, motion.pose_joints);
   if (is_of_the_thesis(stage))
     spdlog::info(
         "the thesis of 2009, a character of this size: 202 to 211 frames/s plain SSD, 174 to 181 with the bulge, which "
@@ -110,8 +122,9 @@ Result<void> bench(const Words& words) {
   const Stage& stage = opened->stage;
   auto report = run_bench(device, stage, *options);
   if (!report) return pass_on(std::move(report));
-  log_report(*report, stage);
-  if (words.common.json) print_json(report_json(*report, device, options->look.size));
+  const MotionBench motion = run_motion_bench();
+  log_report(*report, motion, stage);
+  if (words.common.json) print_json(report_json(*report, motion, device, options->look.size));
   return check_validation(device);
 }
 

@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "engine/body/figure.h"
+#include "engine/body/headed_figure.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/gltf_write.h"
@@ -14,7 +14,7 @@ namespace {
 struct Words {
   CommonOptions common;
   std::string output;
-  std::optional<std::string> like;
+  std::optional<std::string> like, head;
   std::optional<double> sex, height, build, muscle;
   std::optional<int> joints, vertices;
 };
@@ -42,6 +42,25 @@ Result<BodyOptions> figure_options(const Words& words) {
   return options;
 }
 
+/// An age's word or number, or a file of measures.
+Result<HeadMeasures> head_measures(const std::string& text) {
+  if (auto age = parse_age(text)) return measures_of_age(*age);
+  const auto file = read_file(text);
+  if (!file)
+    return bad_input("--head {}: is neither an age (adult, young, adolescent, child, infant, or 0 to 1) nor a file: {}",
+                     text, file.error().message);
+  return parse_measures({reinterpret_cast<const char*>(file->data()), file->size()}, text);
+}
+
+Result<Model> figure_model(const Words& words, const BodyOptions& options) {
+  if (!words.head) return build_figure(options);
+  const auto measures = head_measures(*words.head);
+  if (!measures) return tl::unexpected<Error>(measures.error());
+  auto headed = build_headed_figure(options, *measures, default_head_level, true);
+  if (!headed) return tl::unexpected<Error>(headed.error());
+  return std::move(headed->model);
+}
+
 Result<void> figure(const Words& words) {
   apply_verbosity(words.common);
   if (lower(std::filesystem::path(words.output).extension().string()) != ".glb")
@@ -50,25 +69,29 @@ Result<void> figure(const Words& words) {
   if (!options) return tl::unexpected<Error>(options.error());
   if (auto ok = check_figure_options(*options); !ok) return ok;
   if (auto ok = check_writable(words.output); !ok) return ok;
-  const auto model = build_figure(*options);
+  const auto model = figure_model(words, *options);
   if (!model) return tl::unexpected<Error>(model.error());
   const auto bytes = rig_glb(*model);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   if (auto ok = write_file(words.output, *bytes); !ok) return ok;
 
-  const Primitive& skin = model->meshes.front().primitives.front();
   Bounds bounds;
-  for (const Vec3& p : skin.positions) bounds.add(p);
+  std::size_t vertices = 0, triangles = 0;
+  for (const Primitive& primitive : model->meshes.front().primitives) {
+    for (const Vec3& p : primitive.positions) bounds.add(p);
+    vertices += primitive.positions.size();
+    triangles += primitive.indices.size() / 3;
+  }
   const std::size_t joints = model->skins.front().joints.size();
   if (words.common.json) {
     print_json({{"file", words.output},
-                {"vertices", skin.positions.size()},
-                {"triangles", skin.indices.size() / 3},
+                {"vertices", vertices},
+                {"triangles", triangles},
                 {"joints", joints},
                 {"height", bounds.high.y - bounds.low.y}});
   } else {
-    std::cout << fmt::format("{}: {} vertices, {} triangles, {} joints, {:.3f} m\n", words.output,
-                             skin.positions.size(), skin.indices.size() / 3, joints, bounds.high.y - bounds.low.y);
+    std::cout << fmt::format("{}: {} vertices, {} triangles, {} joints, {:.3f} m\n", words.output, vertices, triangles,
+                             joints, bounds.high.y - bounds.low.y);
   }
   return {};
 }
@@ -88,6 +111,8 @@ void add_figure(CLI::App& program, Run& run) {
   command->add_option("--muscle", words->muscle, "0 to 1 (0.5)");
   command->add_option("--joints", words->joints, "23, 37 or 68 (68)");
   command->add_option("--vertices", words->vertices, "About so many, 1840 to 2000000 (8000)");
+  command->add_option("--head", words->head,
+                      "With a face: its age (adult to infant, or 0 to 1), or a file of measures from sinew head");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return figure(*words); }; });
 }

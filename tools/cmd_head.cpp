@@ -8,7 +8,9 @@
 #include "engine/face/half_head.h"
 #include "engine/face/head_shapes.h"
 #include "engine/face/head_write.h"
+#include "engine/face/model_face.h"
 #include "engine/io/gltf_write.h"
+#include "engine/io/obj_model.h"
 #include "tools/command.h"
 
 namespace sinew::tools {
@@ -16,7 +18,7 @@ namespace {
 
 struct Words {
   CommonOptions common;
-  std::string output, measures, save_measures, half;
+  std::string output, measures, save_measures, half, on, landmarks, save_landmarks;
   std::optional<std::string> age, skull;
   std::vector<std::string> measure, expression, region;
   std::optional<int> level;
@@ -33,6 +35,15 @@ Result<void> check_words(const Words& words) {
   const bool drawn = words.age || words.skull || words.level || words.strict || !words.measure.empty() ||
                      !words.measures.empty() || !words.save_measures.empty() || !words.expression.empty() ||
                      !words.region.empty();
+  if (words.on.empty() && !words.save_landmarks.empty())
+    return failure(ErrorKind::usage, "--save-landmarks {}: expected --on MODEL beside it", words.save_landmarks);
+  if (words.on.empty() && !words.landmarks.empty())
+    return failure(ErrorKind::usage, "--landmarks {}: without --on MODEL there is nothing they lie on", words.landmarks);
+  const bool shaped = words.age || words.skull || words.level || !words.measure.empty() || !words.measures.empty() ||
+                      !words.save_measures.empty() || !words.half.empty();
+  if (!words.on.empty() && shaped)
+    return failure(ErrorKind::usage, "--on {}: a model that is given is not drawn; of the other options --landmarks, "
+                                     "--expression, --region and --strict go with it", words.on);
   if (!words.half.empty() && drawn)
     return failure(ErrorKind::usage, "--half: a half that is given is only mirrored; other options do not go with it");
   return {};
@@ -130,9 +141,67 @@ Result<void> mirrored_half(const Words& words) {
   return {};
 }
 
+/// Expressions and regions in the face's own lengths, held at its limits.
+HeldFace held_pose(const FaceRig& face, const Pose& pose, bool strict) {
+  FaceChannels channels = for_head(face, mix_expressions(pose.expressions, strict));
+  for (std::size_t i = 0; i < face_channels; ++i) channels[i] += pose.regions[i];
+  return hold_at_limits(face, channels);
+}
+
+/// --on: the face of the drawn head on a model.
+Result<void> on_model(const Words& words) {
+  auto landmarks = words.landmarks.empty() ? LandmarkPlaces() : read_landmarks(words.landmarks);
+  if (!landmarks) return tl::unexpected<Error>(landmarks.error());
+  auto model = read_mesh_model(words.on);
+  if (!model) return tl::unexpected<Error>(model.error());
+  if (words.landmarks.empty()) {
+    const auto found = find_model_landmarks(*model);
+    if (!found) return tl::unexpected<Error>(found.error());
+    for (const std::string& note : found->notes) spdlog::info("{}: {}", words.on, note);
+    for (const auto& [mark, place] : found->marks) (*landmarks)[mark] = place;
+  }
+  const auto pose = wanted_pose(words);
+  if (!pose) return tl::unexpected<Error>(pose.error());
+  for (const std::string& file : {words.output, words.save_landmarks})
+    if (auto ok = file.empty() ? Result<void>() : check_writable(file); !ok) return ok;
+  if (!words.save_landmarks.empty())
+    if (auto ok = write_file(words.save_landmarks, landmarks_text(*landmarks)); !ok) return ok;
+  const auto face = model_face(*model, *landmarks, words.landmarks.empty() ? words.on : words.landmarks);
+  if (!face) return tl::unexpected<Error>(face.error());
+  for (const std::string& note : face->transfer.notes) spdlog::info("{}: {}", words.on, note);
+  const Head& head = face->transfer.head;
+  std::size_t moving = 0, targets = 0;
+  HeldFace held;
+  if (words.expression.empty() && words.region.empty()) {
+    const std::vector<HeadShape> shapes = head_shapes(head, words.strict);
+    moving = add_face_targets(*face, shapes, *model);
+    targets = shapes.size();
+  } else {
+    held = held_pose(head.face, *pose, words.strict);
+    set_face_shape(*face, posed_head(head, held.channels), *model);
+  }
+  const auto bytes = rig_glb(*model);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  if (auto ok = write_file(words.output, *bytes); !ok) return ok;
+  for (const HeldChannel& h : held.held)
+    spdlog::info("{} is held at {:.4g}, asked for {:.4g}", channel_word(h.channel), h.held, h.asked);
+  if (words.common.json)
+    print_json({{"file", words.output},
+                {"vertices", face->mesh.vertices()},
+                {"triangles", face->mesh.triangles.size() / 3},
+                {"morph_targets", targets},
+                {"moving_vertices", moving},
+                {"height", head.measures.height},
+                {"notes", face->transfer.notes}});
+  else
+    std::cout << fmt::format("{}: {} vertices, {} morph targets\n", words.output, face->mesh.vertices(), targets);
+  return {};
+}
+
 Result<void> head(const Words& words) {
   apply_verbosity(words.common);
   if (auto ok = check_words(words); !ok) return ok;
+  if (!words.on.empty()) return on_model(words);
   if (!words.half.empty()) {
     if (auto ok = check_writable(words.output); !ok) return ok;
     return mirrored_half(words);
@@ -151,9 +220,7 @@ Result<void> head(const Words& words) {
   if (words.expression.empty() && words.region.empty()) {
     model = head_model(*made, nullptr, head_shapes(*made, words.strict));
   } else {
-    FaceChannels channels = for_head(made->face, mix_expressions(pose->expressions, words.strict));
-    for (std::size_t i = 0; i < face_channels; ++i) channels[i] += pose->regions[i];
-    held = hold_at_limits(made->face, channels);
+    held = held_pose(made->face, *pose, words.strict);
     const HeadShape base = posed_head(*made, held.channels);
     model = head_model(*made, &base, {});
   }
@@ -180,6 +247,9 @@ void add_head(CLI::App& program, Run& run) {
   command->add_option("--measures", words->measures, "Start from this file of measures");
   command->add_option("--save-measures", words->save_measures, "Write the measures to this file as well");
   command->add_option("--half", words->half, "Mirror this half (.glb, .gltf, .obj) instead of drawing a head");
+  command->add_option("--on", words->on, "Lay the face on this model (.glb, .gltf, .obj) instead of drawing a head");
+  command->add_option("--landmarks", words->landmarks, "Where the model's face is (JSON): with --on; else looked for");
+  command->add_option("--save-landmarks", words->save_landmarks, "Write the landmarks that were used to this file");
   command->add_option("--expression", words->expression, "NAME or NAME=STRENGTH: show it; repeatable");
   command->add_option("--region", words->region, "NAME=NUMBER,...: move a region, as scenes do; repeatable");
   command->add_flag("--strict", words->strict, "Of expressions only what the thesis' tables have");

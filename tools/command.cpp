@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "engine/app/options.h"
+#include "engine/core/files.h"
 #include "engine/core/frame_range.h"
 
 namespace sinew::tools {
@@ -21,15 +22,14 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--validate", options.validate, "Run with Vulkan's validation layer; any message is an error");
 }
 
-void add_later_option(CLI::App& command, const std::string& name) {
-  command.add_option(name)->group("")->each(
-      [name](const std::string&) { throw CLI::ValidationError(name + ": does not exist yet"); });
-}
-
 void add_scene_options(CLI::App& command, SceneWords& words) {
-  command.add_option("scene", words.scene, "A scene file, a .glb or .gltf, or nothing for the embedded scene");
+  add_stage_options(command, words);
   auto* frame = command.add_option("--frame", words.frame, "One frame");
   command.add_option("--frames", words.frames, "Frames: 0-47, 0-99:5 or 1,3,7-9")->excludes(frame);
+}
+
+void add_stage_options(CLI::App& command, SceneWords& words) {
+  command.add_option("scene", words.scene, "A scene file, a .glb or .gltf, or nothing for the embedded scene");
   command.add_option("--deformer", words.deformer, "How vertices follow the joints: rigid or ssd")
       ->capture_default_str();
   command.add_option("--bulge", words.bulge, "Muscles: on, off or paper (keeps the step at the region's edge)")
@@ -106,8 +106,8 @@ void apply_verbosity(const CommonOptions& options) {
   spdlog::set_level(options.quiet ? spdlog::level::err : options.verbose ? spdlog::level::debug : spdlog::level::info);
 }
 
-Result<Device> open_device(const CommonOptions& options) {
-  auto device = Device::create({options.device, options.validate});
+Result<Device> open_device(const CommonOptions& options, const std::vector<std::string>& surface_extensions) {
+  auto device = Device::create({options.device, options.validate, surface_extensions});
   if (!device) return device;
   const DeviceInfo& info = device->info();
   spdlog::info("device: {} (Vulkan {}, {}){}", info.name, info.api, info.driver,
@@ -140,6 +140,15 @@ Result<void> check_validation(const Device& device) {
   if (messages.empty()) return {};
   return failure(ErrorKind::check_failed, "{} messages from the validation layer:\n{}", messages.size(),
                  fmt::join(messages, "\n"));
+}
+
+Result<void> check_fresh_output(const std::string& output, std::span<const std::string> inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (!input.empty() && std::filesystem::equivalent(input, output, none))
+      return failure(ErrorKind::cannot_write, "{}: is read by this very command; write to another file", output);
+  }
+  return check_writable(output);
 }
 
 void log_problems(const std::vector<std::string>& problems) {

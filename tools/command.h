@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -48,10 +49,9 @@ using Run = std::function<Result<void>()>;
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_scene_options(CLI::App& command, SceneWords& words);
+/// Those of them that do not choose frames.
+void add_stage_options(CLI::App& command, SceneWords& words);
 void add_look_options(CLI::App& command, LookWords& words);
-
-/// Takes an option of the manual that does not exist yet: whoever uses it is told so, as wrong usage.
-void add_later_option(CLI::App& command, const std::string& name);
 
 /// Each fails as usage, without having opened a file.
 Result<SceneOptions> scene_options(const SceneWords& words);
@@ -60,8 +60,9 @@ Result<ProgressStyle> progress_style(const CommonOptions& options);
 /// Sets what is logged to stderr.
 void apply_verbosity(const CommonOptions& options);
 
-/// The device that was asked for, named in the log. Fails as no_device.
-Result<Device> open_device(const CommonOptions& options);
+/// The device that was asked for, named in the log; with `surface_extensions` one that shows pictures in windows. Fails
+/// as no_device.
+Result<Device> open_device(const CommonOptions& options, const std::vector<std::string>& surface_extensions = {});
 
 /// What most commands work on. The device outlives what is made on it.
 struct Opened {
@@ -80,6 +81,9 @@ void print_json(const nlohmann::ordered_json& json);
 /// Fails as check_failed where the validation layer had something to say.
 Result<void> check_validation(const Device& device);
 
+/// Fails as cannot_write where `output` is one of the inputs (empty names are passed over) or cannot be created.
+Result<void> check_fresh_output(const std::string& output, std::span<const std::string> inputs);
+
 /// Logs what was repaired or left out.
 void log_problems(const std::vector<std::string>& problems);
 
@@ -95,5 +99,8 @@ void add_figure(CLI::App& program, Run& run);
 void add_motion(CLI::App& program, Run& run);
 void add_head(CLI::App& program, Run& run);
 void add_fit_skin(CLI::App& program, Run& run);
+void add_view(CLI::App& program, Run& run);
+void add_bind(CLI::App& program, Run& run);
+void add_weights(CLI::App& program, Run& run);
 
 }  // namespace sinew::tools

@@ -71,6 +71,9 @@ int run_program(int count, char** words) {
   add_motion(program, run);
   add_head(program, run);
   add_fit_skin(program, run);
+  add_view(program, run);
+  add_bind(program, run);
+  add_weights(program, run);
   try {
     program.parse(count, words);
   } catch (const CLI::Success& asked) {

@@ -12,14 +12,16 @@ namespace sinew {
 namespace {
 
 /// The switch that each overlay but those of wires turns on.
-constexpr std::array<std::pair<Overlay, bool OverlayOptions::*>, 7> switches{
+constexpr std::array<std::pair<Overlay, bool OverlayOptions::*>, 9> switches{
     {{Overlay::skeleton, &OverlayOptions::skeleton},
      {Overlay::bones, &OverlayOptions::bones},
      {Overlay::muscles, &OverlayOptions::muscles},
      {Overlay::arrows, &OverlayOptions::arrows},
      {Overlay::projection, &OverlayOptions::projection},
      {Overlay::box, &OverlayOptions::box},
-     {Overlay::axes, &OverlayOptions::axes}}};
+     {Overlay::axes, &OverlayOptions::axes},
+     {Overlay::guides, &OverlayOptions::guides},
+     {Overlay::regions, &OverlayOptions::regions}}};
 
 OverlayOptions overlay_options(std::span<const Overlay> overlays) {
   OverlayOptions options;
@@ -39,9 +41,6 @@ Result<OverlayOptions> parse_overlay(std::string_view text) {
   const auto known = overlay_names();
   std::vector<Overlay> overlays;
   for (const std::string& asked : split(text, ',')) {
-    if (asked == "guides" || asked == "regions")
-      return failure(ErrorKind::usage, "--overlay {}: does not exist yet; expected some of {}", asked,
-                     fmt::join(known, ", "));
     const auto found = std::ranges::find(known, asked);
     if (found == known.end())
       return failure(ErrorKind::usage, "--overlay {}: expected none, or some of {}, separated by commas{}", asked,

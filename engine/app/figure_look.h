@@ -20,11 +20,14 @@ struct OverlayOptions {
   bool projection = false;  ///< the regions and what they are on their planes, with the centres
   bool box = false;         ///< the deformed vertices' box
   bool axes = false;
+  bool guides = false;   ///< the lines that a head is drawn by
+  bool regions = false;  ///< a face's regions, their pivots and limits
   WireMode wire = WireMode::none;  ///< drawn with the surface itself
 
   bool of_muscles() const { return muscles || arrows || projection; }
+  bool of_faces() const { return guides || regions; }
   /// Whether anything is painted over the finished picture.
-  bool painted() const { return skeleton || bones || of_muscles() || box || axes; }
+  bool painted() const { return skeleton || bones || of_muscles() || of_faces() || box || axes; }
 
   bool operator==(const OverlayOptions&) const = default;
 };

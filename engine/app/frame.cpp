@@ -108,7 +108,7 @@ Result<void> FrameMaker::upload(const std::vector<CharacterState>& states) {
   return {};
 }
 
-Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
+CameraPlace FrameMaker::camera_place(int frame) const {
   // A view that was asked for on the command line stands in place of all that the scene says about its camera.
   Camera camera = stage_->scene.camera;
   if (look_.view) {
@@ -116,13 +116,38 @@ Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
     camera.view = *look_.view;
   }
   ViewDirection towards = direction(camera.view);
-  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame)) + orbit;
-  const Viewpoint framed = frame_box(bounds_, towards, double(look_.size.width) / look_.size.height);
-  if (!camera.target && !camera.distance) return framed;
-  const Vec3 target = camera.target ? camera.target->value_at(frame) : bounds_.centre();
-  const double distance =
-      camera.distance ? camera.distance->value_at(frame) : glm::length(framed.eye - bounds_.centre());
-  return look_at(target, distance, bounds_, towards);
+  if (camera.elevation) towards.elevation = *camera.elevation;
+  towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame));
+  CameraPlace place{towards, {}, {}};
+  if (camera.target) place.target = camera.target->value_at(frame);
+  if (camera.distance) place.distance = camera.distance->value_at(frame);
+  return place;
+}
+
+Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
+  CameraPlace place = camera_place(frame);
+  place.direction.azimuth += orbit;
+  const Viewpoint framed = frame_box(bounds_, place.direction, double(look_.size.width) / look_.size.height);
+  if (!place.target && !place.distance) return framed;
+  return look_at(place.target.value_or(bounds_.centre()),
+                 place.distance.value_or(glm::length(framed.eye - bounds_.centre())), bounds_, place.direction);
+}
+
+Result<void> FrameMaker::draw_for_window(int frame) {
+  upload(pose(frame));
+  return renderer_.draw_for_window(shot(frame));
+}
+
+Result<void> FrameMaker::resize(const PictureSize& size) {
+  if (auto ok = renderer_.resize(size.width, size.height); !ok) return ok;
+  look_.size = size;
+  return {};
+}
+
+void FrameMaker::follow_stage() {
+  const Bounds rest = rest_bounds(*stage_);
+  floor_ = rest.empty() ? 0.0 : rest.low.y;
+  bounds_ = stage_bounds(*stage_);
 }
 
 Shot FrameMaker::shot(int frame, double orbit) const {

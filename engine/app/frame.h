@@ -19,6 +19,12 @@ struct LookOptions {
   WireMode wire = WireMode::none;
 };
 
+struct CameraPlace {
+  ViewDirection direction;
+  std::optional<Vec3> target;
+  std::optional<double> distance;
+};
+
 /// Makes the pictures of a stage. Stage and device must outlive it.
 class FrameMaker {
  public:
@@ -37,6 +43,18 @@ class FrameMaker {
   /// `orbit`: degrees added to the camera's.
   Shot shot(int frame, double orbit = 0.0) const;
   Renderer& renderer() { return renderer_; }
+
+  /// Where the scene wants the camera; what it leaves open is filled in when the box of all that is shown is framed.
+  CameraPlace camera_place(int frame) const;
+  const Bounds& bounds() const { return bounds_; }
+
+  // For windows.
+  /// As picture(), into the renderer's own image.
+  Result<void> draw_for_window(int frame);
+  Result<void> resize(const PictureSize& size);
+  /// Takes the bounds anew after the stage's motions or poses have changed. Its meshes, muscles and materials, and
+  /// which joint's weights are shown, must be those that the maker was created with.
+  void follow_stage();
 
  private:
   Viewpoint viewpoint(int frame, double orbit) const;

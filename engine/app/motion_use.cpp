@@ -2,7 +2,6 @@
 
 #include "engine/core/files.h"
 #include "engine/core/text.h"
-#include "engine/motion/library.h"
 #include "engine/rig/clip_sampling.h"
 #include "engine/rig/motion_file.h"
 
@@ -35,29 +34,36 @@ Result<Motion> library_motion(const std::filesystem::path& library, const std::s
   if (!opened) return tl::unexpected<Error>(opened.error());
   auto stored = opened->load(clip);
   if (!stored) return pass_on(std::move(stored));
-  if (!stored->curves) return std::move(stored->motion);
-  return sampled_motion(*stored->curves, stored->motion.skeleton, clip);
+  return played_motion(std::move(*stored));
 }
 
-Result<StagedMotion> stage_motion(const MotionUse& use, const std::filesystem::path& library, const Model& model,
-                                  const Humanoid& humanoid, std::vector<std::string>& problems) {
-  StagedMotion staged;
-  staged.use = use;
-  const MotionFile* file = std::get_if<MotionFile>(&use.source);
-  staged.file = file != nullptr ? file->path.string() : library.string();
-  auto motion = file != nullptr ? read_motion(file->path, file->clip)
-                                : library_motion(library, std::get<LibraryClip>(use.source).name);
-  if (!motion) return pass_on(std::move(motion));
-  auto retargeted = retarget(*motion, model, humanoid);
+Motion played_motion(StoredClip&& stored) {
+  if (!stored.curves) return std::move(stored.motion);
+  return sampled_motion(*stored.curves, stored.motion.skeleton, stored.entry.name);
+}
+
+Result<StagedMotion> put_motion(const Motion& motion, const std::string& name, const MotionUse& use, const Model& model,
+                                const Humanoid& humanoid, std::vector<std::string>& problems) {
+  auto retargeted = retarget(motion, model, humanoid);
   if (!retargeted) return pass_on(std::move(retargeted));
-  const std::string name = file != nullptr ? staged.file : fmt::format("clip {}", motion->name);
-  for (const std::string& problem : motion->problems) problems.push_back(fmt::format("{}: {}", name, problem));
+  for (const std::string& problem : motion.problems) problems.push_back(fmt::format("{}: {}", name, problem));
   for (const std::string& note : retargeted->notes) problems.push_back(fmt::format("{}: {}", name, note));
   if (retargeted->deepest_sinking > told_sinking)
     problems.push_back(fmt::format("{}: a foot sank {:.3f} below the floor at its frame {}; the body is raised there",
                                    name, retargeted->deepest_sinking, retargeted->deepest_frame));
-  staged.clip = std::move(retargeted->clip);
-  staged.content_hash = clip_hash(staged.clip);
+  std::string hash = clip_hash(retargeted->clip);
+  return StagedMotion{use, std::move(retargeted->clip), "", std::move(hash)};
+}
+
+Result<StagedMotion> stage_motion(const MotionUse& use, const std::filesystem::path& library, const Model& model,
+                                  const Humanoid& humanoid, std::vector<std::string>& problems) {
+  const MotionFile* file = std::get_if<MotionFile>(&use.source);
+  auto motion = file != nullptr ? read_motion(file->path, file->clip)
+                                : library_motion(library, std::get<LibraryClip>(use.source).name);
+  if (!motion) return pass_on(std::move(motion));
+  const std::string name = file != nullptr ? file->path.string() : fmt::format("clip {}", motion->name);
+  auto staged = put_motion(*motion, name, use, model, humanoid, problems);
+  if (staged) staged->file = file != nullptr ? file->path.string() : library.string();
   return staged;
 }
 

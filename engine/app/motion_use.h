@@ -7,6 +7,7 @@
 
 #include "engine/core/result.h"
 #include "engine/model/scene.h"
+#include "engine/motion/library.h"
 #include "engine/rig/pose.h"
 #include "engine/rig/retarget.h"
 
@@ -25,6 +26,13 @@ bool is_motion_alone(const std::filesystem::path& file, std::span<const unsigned
 
 /// The clip of that name in a motion library; an empty path is the user's own library. Fails as bad_input.
 Result<Motion> library_motion(const std::filesystem::path& library, const std::string& clip);
+
+/// A clip of the library as it is played: its fitted curves where it has some, else its samples.
+Motion played_motion(StoredClip&& stored);
+
+/// Puts a motion, called `name` in what it says to people, onto the model.
+Result<StagedMotion> put_motion(const Motion& motion, const std::string& name, const MotionUse& use, const Model& model,
+                                const Humanoid& humanoid, std::vector<std::string>& problems);
 
 /// Reads the motion and puts it onto the model. What people should know of it goes to `problems`. Fails as bad_input
 /// where it cannot be read or has nothing in common with the model.

@@ -4,7 +4,6 @@
 
 #include <fmt/ranges.h>
 
-#include "engine/body/muscle_spec.h"
 #include "engine/core/files.h"
 #include "engine/io/scene_file.h"
 #include "engine/model/scene_words.h"
@@ -57,25 +56,6 @@ Result<std::vector<PlacedMuscle>> place(const StagedCharacter& character, const 
   return muscles;
 }
 
-/// The scene of a bare model, which plays its first clip.
-Result<Scene> scene_of(const StagedCharacter& character) {
-  const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
-  Scene scene;
-  Character& shown = scene.characters.emplace_back();
-  shown.model = character.scene.model;
-  if (character.clip >= 0) {
-    const std::string& name = character.model->clips[character.clip].name;
-    const bool tells = !name.empty() && name != "none";
-    shown.clip = tells ? ClipChoice(name) : ClipChoice(character.clip);
-  }
-  for (const PlacedMuscle& placed : character.muscles) {
-    auto spec = explicit_muscle(context, placed);
-    if (!spec) return pass_on(std::move(spec));
-    shown.muscles.push_back(std::move(*spec));
-  }
-  return scene;
-}
-
 }  // namespace
 
 Result<MuscleSceneReport> write_muscle_scene(const MuscleSceneOptions& options) {
@@ -90,7 +70,9 @@ Result<MuscleSceneReport> write_muscle_scene(const MuscleSceneOptions& options) 
   auto muscles = place(character, options, report.problems);
   if (!muscles) return pass_on(std::move(muscles));
   character.muscles = std::move(*muscles);
-  const auto scene = scene_of(character);
+  report.stage.scene = {};
+  report.stage.scene.characters.emplace_back().model = character.scene.model;
+  const auto scene = spelled_out_scene(report.stage);
   if (!scene) return tl::unexpected<Error>(scene.error());
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   if (auto ok = write_file(options.output, scene_text(*scene, folder)); !ok) return pass_on(std::move(ok));

@@ -1,11 +1,15 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded/default_scene.h"
+#include "engine/app/emotion_use.h"
 #include "engine/app/stage_model.h"
+#include "engine/body/built_in_model.h"
+#include "engine/body/headed_figure.h"
 #include "engine/core/files.h"
 #include "engine/core/text.h"
 #include "engine/io/scene_file.h"
 #include "engine/model/scene_words.h"
+#include "engine/rig/clip_sampling.h"
 #include "engine/rig/motion_file.h"
 
 namespace sinew {
@@ -77,40 +81,36 @@ Result<OpenedScene> open_scene(const std::string& source) {
   return opened;
 }
 
-/// The head that `builtin:head` stands for, at the age of `frame`; nothing to do for other models.
+/// Models that are drawn from the scene's "head": a head alone, or a figure that wears one.
 Result<void> draw_head(StagedCharacter& character, double frame, const Place& place) {
   const std::string name = character.scene.model.string();
-  if (name != "builtin:head") {
-    if (!character.scene.head) return {};
-    return place.at("/head", Result<void>(bad_input("is for \"builtin:head\" alone, not for {}", name)));
+  const std::optional<HeadSpec>& spec = character.scene.head;
+  if (name == "builtin:head") {
+    auto head = DrawnHead::make(spec.value_or(HeadSpec{}), frame);
+    if (!head) return place.inside("/head", std::move(head));
+    character.face.head = std::make_shared<DrawnHead>(std::move(*head));
+    character.model = std::make_unique<Model>(character.face.head->model());
+    character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
+    return {};
   }
-  auto head = DrawnHead::make(character.scene.head.value_or(HeadSpec{}), frame);
-  if (!head) return place.inside("/head", std::move(head));
-  character.face.head = std::make_shared<DrawnHead>(std::move(*head));
-  character.model = std::make_unique<Model>(character.face.head->model());
-  character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
+  if (!spec) return {};
+  const auto figure = built_in_figure(name);
+  if (!figure)
+    return place.at("/head",
+                    Result<void>(bad_input("is for \"builtin:head\" and the built-in figures, not for {}", name)));
+  if (!spec->age.is_constant())
+    return place.at("/head/age",
+                    Result<void>(bad_input("a figure's head keeps its age; only builtin:head changes it")));
+  const auto measures = head_measures(*spec, frame);
+  if (!measures) return place.inside("/head", Result<HeadMeasures>(measures));
+  auto headed = build_headed_figure(*figure, *measures, spec->level.value_or(default_head_level));
+  if (!headed) return place.at("/head", std::move(headed));
+  character.face.worn = headed->face();
+  character.model = std::make_unique<Model>(std::move(headed->model));
+  character.model->file = name;
+  character.model_hash =
+      fmt::format("{} {} {}", name, sha256(measures_text(*measures)), spec->level.value_or(default_head_level));
   return {};
-}
-
-std::vector<std::string> clip_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const Clip& clip : model.clips) names.push_back(clip.name);
-  return names;
-}
-
-Result<int> find_clip(const Model& model, const ClipChoice& choice) {
-  if (std::holds_alternative<NoClip>(choice)) return -1;
-  const std::vector<std::string> names = clip_names(model);
-  if (const int* index = std::get_if<int>(&choice)) {
-    if (*index < static_cast<int>(names.size())) return *index;
-    return bad_input("{}: has no clip {}; it has {} ({})", model.file, *index, names.size(), fmt::join(names, ", "));
-  }
-  const std::string& name = std::get<std::string>(choice);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return static_cast<int>(i);
-  if (names.empty()) return bad_input("{}: has no clip \"{}\"; it has none at all", model.file, name);
-  return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names),
-                   names.size(), fmt::join(names, ", "));
 }
 
 Result<void> choose_clip(StagedCharacter& character, const SceneOptions& options, bool bare_model, const Place& place) {
@@ -168,11 +168,26 @@ Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Pl
   return {};
 }
 
-Result<void> prepare(StagedCharacter& character, const SceneOptions& options, OpenedScene& opened, const Place& place,
-                     std::vector<std::string>& problems) {
-  const bool bare_model = opened.bare_model;
-  auto bytes = std::exchange(opened.model_bytes, std::nullopt);
-  if (auto ok = stage_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
+Result<void> add_emotions(StagedCharacter& character, const SceneOptions& options, double fps, const Place& place,
+                          std::vector<std::string>& problems) {
+  const std::vector<EmotionCue>& cues = character.scene.emotion;
+  if (cues.empty()) return {};
+  auto library = MotionLibrary::open(options.library.empty() ? default_library() : options.library, false);
+  if (!library) return place.at("/emotion", std::move(library));
+  for (std::size_t i = 0; i < cues.size(); ++i) {
+    auto staged = stage_emotion(cues[i], *library, fps, *character.model, character.humanoid, problems);
+    if (!staged) return place.at(fmt::format("/emotion/{}", i), std::move(staged));
+    character.emotions.push_back(std::move(*staged));
+  }
+  std::vector<MotionUse> uses;
+  for (const StagedMotion& emotion : character.emotions) uses.push_back(emotion.use);
+  character.scene.expressions = expressions_with(character.scene.expressions, cues, uses);
+  return {};
+}
+
+/// What the scene makes of the model, which is there already.
+Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, double fps,
+                         const Place& place, std::vector<std::string>& problems) {
   std::vector<std::string> found = character.model->problems;
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (const auto& use = character.scene.motion) {
@@ -180,9 +195,15 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, Op
     if (!motion) return place.at("/motion", std::move(motion));
     character.motion = std::move(*motion);
   }
+  const bool has_face_of_emotions_alone = !character.scene.emotion.empty() && !character.scene.expressions &&
+                                          character.scene.cues.empty() && character.scene.regions.empty();
+  if (auto ok = add_emotions(character, options, fps, place, found); !ok) return ok;
   if (auto ok = find_tracks(character, place); !ok) return ok;
-  if (auto ok = stage_face(character.scene, *character.model, character.mesh, character.face); !ok)
-    return place.inside("", std::move(ok));
+  if (auto ok = stage_face(character.scene, *character.model, character.mesh, character.face); !ok) {
+    if (!has_face_of_emotions_alone) return place.inside("", std::move(ok));
+    found.push_back("has no face that could show its emotions; its body does");
+    character.scene.expressions.reset();
+  }
   if (auto ok = place_muscles(character, bare_model, place, found); !ok) return ok;
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
   for (const PlacedMuscle& placed : character.muscles)
@@ -192,12 +213,11 @@ Result<void> prepare(StagedCharacter& character, const SceneOptions& options, Op
   return {};
 }
 
-/// What a character asks for that this program cannot do yet: said, not ignored.
-void note_unsupported(const Character& character, std::vector<std::string>& problems) {
-  const auto note = [&](bool asked, const char* what) {
-    if (asked) problems.push_back(fmt::format("{}: \"{}\" is not shown yet", character.model.string(), what));
-  };
-  note(!character.emotion.empty(), "emotion");
+Result<void> prepare(StagedCharacter& character, const SceneOptions& options, double fps, OpenedScene& opened,
+                     const Place& place, std::vector<std::string>& problems) {
+  auto bytes = std::exchange(opened.model_bytes, std::nullopt);
+  if (auto ok = stage_model(character, options, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
+  return prepare_use(character, options, opened.bare_model, fps, place, problems);
 }
 
 /// What of the faces is held at limits, once a channel.
@@ -226,6 +246,7 @@ FrameSpan natural_range(const Stage& stage) {
     if (character.clip >= 0)
       last = std::max(last, std::ceil(character.model->clips[character.clip].duration * stage.scene.fps - 1e-6));
     if (character.motion) last = std::max(last, std::ceil(last_frame(*character.motion, stage.scene.fps) - 1e-6));
+    for (const StagedMotion& emotion : character.emotions) reach(emotion.use.weight);
     for (const StagedCharacter::JointTrack& track : character.tracks) reach(track.degrees);
     last = std::max(last, std::ceil(reach_of(character.face.track).second));
     if (character.scene.head) reach(character.scene.head->age);
@@ -246,12 +267,22 @@ std::string hash_scene(const Stage& stage, const SceneOptions& options) {
   json["scene"] = scene_text(scene, {});
   for (const StagedCharacter& character : stage.characters) {
     json["clips"].push_back(character.clip);
+    for (const StagedMotion& emotion : character.emotions) json["emotions"].push_back(emotion.content_hash);
     for (const PlacedMuscle& placed : character.muscles) json["muscles"].push_back(placed.muscle.name);
   }
   for (const PoseOption& pose : options.poses)
     json["poses"].push_back({pose.joint, pose.degrees.x, pose.degrees.y, pose.degrees.z});
   json["strength"] = stage.strength;
   return sha256(json.dump());
+}
+
+/// What follows from the characters once all are there.
+Result<void> complete(Stage& stage, const SceneOptions& options) {
+  if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
+  stage.range = stage.scene.frames.value_or(natural_range(stage));
+  note_held(stage);
+  stage.scene_hash = hash_scene(stage, options);
+  return {};
 }
 
 }  // namespace
@@ -268,19 +299,75 @@ Result<Stage> open_stage(const SceneOptions& options) {
   SceneOptions with_library = options;
   if (stage.scene.library) with_library.library = *stage.scene.library;
   for (const Character& character : stage.scene.characters) {
-    note_unsupported(character, stage.problems);
     const Place place(stage.source, opened->bare_model, stage.characters.size());
     StagedCharacter& staged = stage.characters.emplace_back();
     staged.scene = character;
     const double first = stage.scene.frames.value_or(FrameSpan{}).first;
     if (auto ok = draw_head(staged, first, place); !ok) return pass_on(std::move(ok));
-    if (auto ok = prepare(staged, with_library, *opened, place, stage.problems); !ok) return pass_on(std::move(ok));
+    if (auto ok = prepare(staged, with_library, stage.scene.fps, *opened, place, stage.problems); !ok)
+      return pass_on(std::move(ok));
   }
-  if (auto ok = add_poses(stage, options.poses); !ok) return bad_input("{}: {}", stage.source, ok.error().message);
-  stage.range = stage.scene.frames.value_or(natural_range(stage));
-  note_held(stage);
-  stage.scene_hash = hash_scene(stage, options);
+  if (auto ok = complete(stage, options); !ok) return pass_on(std::move(ok));
   return stage;
+}
+
+Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options) {
+  Stage next;
+  next.source = stage.source;
+  next.scene = scene;
+  next.strength = options.strength;
+  SceneOptions with_library = options;
+  if (scene.library) with_library.library = *scene.library;
+  // Each model serves once; it goes back where it came from if the new scene cannot be staged.
+  std::vector<int> taken_from;
+  std::vector<bool> taken(stage.characters.size(), false);
+  const auto fail = [&](Error error) -> Result<void> {
+    for (std::size_t i = 0; i < taken_from.size(); ++i)
+      if (taken_from[i] >= 0) {
+        StagedCharacter& home = stage.characters[static_cast<std::size_t>(taken_from[i])];
+        StagedCharacter& lent = next.characters[i];
+        home.model = std::move(lent.model);
+        home.mesh = std::move(lent.mesh);
+        home.rest = std::move(lent.rest);
+      }
+    return tl::unexpected<Error>(std::move(error));
+  };
+  for (const Character& character : scene.characters) {
+    const Place place(stage.source, false, next.characters.size());
+    StagedCharacter& staged = next.characters.emplace_back();
+    staged.scene = character;
+    std::size_t same = 0;
+    const auto is_other = [&](const StagedCharacter& old) {
+      return !old.model || old.scene.model != character.model || old.scene.head != character.head ||
+             old.scene.landmarks != character.landmarks;
+    };
+    while (same < stage.characters.size() && (taken[same] || is_other(stage.characters[same]))) ++same;
+    if (same < stage.characters.size()) {
+      StagedCharacter& old = stage.characters[same];
+      taken[same] = true;
+      taken_from.push_back(static_cast<int>(same));
+      staged.model = std::move(old.model);
+      staged.model_hash = old.model_hash;
+      staged.order = old.order;
+      staged.rest_rotations = old.rest_rotations;
+      staged.humanoid = old.humanoid;
+      staged.mesh = std::move(old.mesh);
+      staged.rest = std::move(old.rest);
+      staged.face.head = old.face.head;
+      staged.face.worn = old.face.worn;
+    } else {
+      taken_from.push_back(-1);
+      const double first = scene.frames.value_or(FrameSpan{}).first;
+      if (auto ok = draw_head(staged, first, place); !ok) return fail(ok.error());
+      if (auto ok = stage_model(staged, with_library, std::nullopt); !ok)
+        return fail(place.at("/model", std::move(ok)).value());
+    }
+    if (auto ok = prepare_use(staged, with_library, false, scene.fps, place, next.problems); !ok)
+      return fail(ok.error());
+  }
+  if (auto ok = complete(next, options); !ok) return fail(ok.error());
+  stage = std::move(next);
+  return {};
 }
 
 }  // namespace sinew

@@ -114,9 +114,13 @@ OverlayContent PanelMaker::content(int frame) const {
     const std::vector<Mat4> world = world_transforms(*stage_, i, frame, state);
     if (figure_.overlay.skeleton || figure_.overlay.bones)
       content.skeletons.push_back(skeleton_overlay(character, world, figure_.overlay.skeleton));
-    if (!figure_.overlay.of_muscles() && !figure_.overlay.box) continue;
+    const bool of_face = figure_.overlay.of_faces() && character.mesh.face;
+    if (!figure_.overlay.of_muscles() && !figure_.overlay.box && !of_face) continue;
     const DeformedVertices deformed = deform_on_cpu(character, state, scene_.deformer, scene_.bulge);
     for (const Vec3& p : deformed.positions) box.add(p);
+    if (of_face)
+      content.faces.push_back(posed_face(character.mesh, deformed.positions, deformed.blend, figure_.overlay.guides,
+                                         figure_.overlay.regions));
     if (!figure_.overlay.of_muscles()) continue;
     for (std::size_t m = 0; m < character.muscles.size(); ++m) {
       const PlacedMuscle& placed = character.muscles[m];

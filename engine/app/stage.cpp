@@ -69,6 +69,7 @@ Pose character_pose(const Stage& stage, std::size_t index, double frame) {
   Pose pose = rest_pose(*character.model);
   if (character.clip >= 0) sample_clip(character.model->clips[character.clip], frame / stage.scene.fps, pose);
   if (character.motion) play_motion(*character.motion, frame, stage.scene.fps, pose);
+  for (const StagedMotion& emotion : character.emotions) play_motion(emotion, frame, stage.scene.fps, pose);
   for (const StagedCharacter::JointTrack& track : character.tracks) {
     const auto turn = track.added ? turn_joint_further : turn_joint;
     turn(*character.model, character.rest_rotations, track.node, track.degrees.value_at(frame), pose);
@@ -132,6 +133,7 @@ Result<void> check_not_an_input(const Stage& stage, const std::string& output) {
     inputs.push_back(character.scene.model);
     if (character.motion) inputs.push_back(character.motion->file);
     if (character.scene.head) inputs.push_back(character.scene.head->file);
+    for (const StagedMotion& emotion : character.emotions) inputs.push_back(emotion.file);
   }
   std::error_code error;
   for (const std::filesystem::path& input : inputs)

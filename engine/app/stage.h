@@ -16,7 +16,7 @@ namespace sinew {
 
 /// A model and everything about it that no frame changes.
 struct StagedCharacter {
-  Character scene;  ///< what the scene says of it
+  Character scene;  ///< what the scene says of it; its emotions' expressions are among the expressions
   std::unique_ptr<Model> model;
   std::string model_hash;  ///< SHA-256 of all that it was read from, or the name of a built-in model
   std::vector<int> order;  ///< hierarchy_order
@@ -28,6 +28,7 @@ struct StagedCharacter {
   std::vector<PlacedMuscle> muscles;
   int clip = -1;  ///< index into the model's clips, -1: none
   std::optional<StagedMotion> motion;
+  std::vector<StagedMotion> emotions;  ///< one a cue, each over the one before
 
   /// A joint's angles over time.
   struct JointTrack {
@@ -64,6 +65,14 @@ struct Stage {
 
 /// Opens a scene file, a bare model or the embedded default. Fails as bad_input; nothing is left half open.
 Result<Stage> open_stage(const SceneOptions& options);
+
+/// Puts another scene on the stage: models that it has already are not read again. `options` as in open_stage(), but
+/// not its scene. Fails as open_stage() does and then leaves the stage as it was.
+Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options);
+
+/// The stage's scene with everything spelled out that a bare model has by default: what it shows as a scene file does.
+/// Fails as bad_input where a muscle's joint has no name.
+Result<Scene> spelled_out_scene(const Stage& stage);
 
 /// Where a character's joints and muscles stand at a frame.
 CharacterState character_state(const Stage& stage, std::size_t character, double frame);

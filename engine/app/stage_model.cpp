@@ -1,6 +1,7 @@
 #include "engine/app/stage_model.h"
 
 #include "engine/body/built_in_model.h"
+#include "engine/face/model_face.h"
 #include "engine/io/gltf_read.h"
 #include "engine/model/resample.h"
 #include "engine/model/scene_words.h"
@@ -41,7 +42,7 @@ std::string content_hash(Sha256& hash, const Model& model) {
 /// Reads the file once, so that the hash is that of what was parsed, whoever replaces the file meanwhile.
 Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
   const std::string name = character.scene.model.string();
-  if (character.face.head) return {};
+  if (character.model) return {};  // it was drawn
   if (is_built_in_model(name)) {
     auto model = built_in_model(name);
     if (!model) return pass_on(std::move(model));
@@ -63,10 +64,36 @@ Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) 
   return {};
 }
 
-/// Whoever knows regions for this mesh: a head that was drawn has its own.
-std::optional<CharacterFace> face_of(const StagedCharacter& character) {
-  if (character.face.head) return character.face.head->face();
-  return std::nullopt;
+/// The face that the scene's landmarks give the model.
+Result<void> lay_face(StagedCharacter& character) {
+  const std::string& file = character.scene.landmarks;
+  if (file.empty()) return {};
+  LandmarkPlaces places;
+  if (file == "auto") {
+    const auto found = find_model_landmarks(*character.model);
+    if (!found) return tl::unexpected<Error>(found.error());
+    for (const auto& [mark, place] : found->marks) places[mark] = place;
+  } else {
+    auto read = read_landmarks(file);
+    if (!read) return pass_on(std::move(read));
+    places = std::move(*read);
+  }
+  const auto laid = model_face(*character.model, places, file == "auto" ? character.scene.model.string() : file);
+  if (!laid) return tl::unexpected<Error>(laid.error());
+  auto face = character_face(*laid, character.mesh, character.scene.model.string());
+  if (!face) return pass_on(std::move(face));
+  character.mesh.face = std::move(*face);
+  character.model_hash += " " + landmarks_text(places);
+  return {};
+}
+
+/// Whoever knows regions for this mesh: a head that was drawn has its own, landmarks lay one on any other.
+Result<void> give_face(StagedCharacter& character) {
+  if (character.face.head)
+    character.mesh.face = character.face.head->face();
+  else if (character.face.worn)
+    character.mesh.face = character.face.worn;
+  return lay_face(character);
 }
 
 }  // namespace
@@ -78,7 +105,7 @@ Result<void> stage_model(StagedCharacter& character, const SceneOptions& options
   character.rest_rotations = rest_rotations(model, character.order);
   if (auto ok = check_drawn_vertices(model); !ok) return ok;
   character.mesh = character_mesh(model);
-  character.mesh.face = face_of(character);
+  if (auto ok = give_face(character); !ok) return ok;
   if (options.vertices > 0) {
     if (character.face.head && character.face.head->changes())
       return bad_input("{}: a head that changes its age has the vertices that it is drawn with",

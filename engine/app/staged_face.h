@@ -21,6 +21,7 @@ struct HeldKey {
 struct StagedFace {
   FaceTrack track;
   std::shared_ptr<const DrawnHead> head;  ///< of builtin:head; it may change its age
+  std::optional<CharacterFace> worn;      ///< of a figure that wears a head
   std::optional<TargetFace> targets;      ///< of a mesh without regions, where it is asked to move
   std::vector<HeldKey> held;              ///< over the scene's range
 };

@@ -8,9 +8,16 @@
 
 namespace sinew {
 
+std::optional<BodyOptions> built_in_figure(std::string_view name) {
+  constexpr std::string_view prefix = "builtin:";
+  if (!name.starts_with(prefix)) return std::nullopt;
+  if (name == "builtin:figure") return BodyOptions{};
+  const auto preset = figure_preset(name.substr(prefix.size()));
+  return preset ? std::optional(*preset) : std::nullopt;
+}
+
 Result<Model> built_in_model(std::string_view name) {
   if (name == "builtin:arm") return make_arm();
-  if (name == "builtin:figure") return build_figure({});
   if (name == "builtin:head") {
     auto head = DrawnHead::make({}, 0.0);
     if (!head) return pass_on(std::move(head));
@@ -20,9 +27,7 @@ Result<Model> built_in_model(std::string_view name) {
   if (std::ranges::find(known, name) == known.end())
     return bad_input("{}: is no built-in model; expected one of {}{}", name, fmt::join(known, ", "),
                      did_you_mean(name, known));
-  const auto options = figure_preset(name.substr(name.find(':') + 1));
-  if (!options) return tl::unexpected<Error>(options.error());
-  return build_figure(*options);
+  return build_figure(built_in_figure(name).value());
 }
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "engine/body/figure_build.h"
 #include "engine/body/figure_charts.h"
 #include "engine/body/figure_relax.h"
 #include "engine/body/figure_skeleton.h"
@@ -155,22 +156,16 @@ std::vector<Influence> mirrored(const std::vector<Influence>& run, const FigureS
   return out;
 }
 
-/// From the measures' unit to metres: soles at y = 0, and exactly as tall as asked for.
-struct ToMetres {
-  double scale = 1.0, low = 0.0;
-
-  ToMetres(const std::vector<Vec3>& positions, double height) {
-    const auto [lowest, highest] =
-        std::ranges::minmax_element(positions, [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
-    low = lowest->y;
-    scale = height / (highest->y - low);
-  }
-  Vec3 operator()(const Vec3& p) const { return {scale * p.x, scale * (p.y - low), scale * p.z}; }
-};
+/// Exactly as tall as asked for.
+FigureScale scale_to(const std::vector<Vec3>& positions, double height) {
+  const auto [lowest, highest] =
+      std::ranges::minmax_element(positions, [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+  return {height / (highest->y - lowest->y), lowest->y};
+}
 
 /// Both halves as one list of triangles, in metres.
 Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& cut_cage, const FigureSkeleton& skeleton,
-                     const ToMetres& to_metres) {
+                     const FigureScale& scale) {
   std::vector<Index> welded(cut.vertices.size());  // of the half's vertices
   for (std::size_t q = 0; q < cut.quads.size(); ++q)
     for (std::size_t c = 0; c < 4; ++c) welded[cut.quads[q][c]] = half.surface.quads[q][c];
@@ -181,7 +176,7 @@ Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& c
     const Index w = welded[vertex];
     const Vec3 side(is_right ? -1.0 : 1.0, 1.0, 1.0);
     const Vec2 uv = cut.vertices[vertex].of(std::span<const Vec2>(cut_cage.uv));
-    skin.positions.push_back(side * to_metres(half.surface.positions[w]));
+    skin.positions.push_back(side * scale.to_metres(half.surface.positions[w]));
     skin.normals.push_back(side * half.normals[w]);
     skin.texture_coordinates.emplace_back(is_right ? 1.0 - uv.x : uv.x, 1.0 - uv.y);
     skin.influences.add_vertex(is_right ? mirrored(half.influences[w], skeleton) : half.influences[w]);
@@ -207,15 +202,15 @@ Primitive whole_skin(const Half& half, const RefinedQuads& cut, const CutCage& c
   return skin;
 }
 
-void add_skeleton(Model& model, const FigureSkeleton& skeleton, const ToMetres& to_metres) {
+void add_skeleton(Model& model, const FigureSkeleton& skeleton, const FigureScale& scale) {
   Skin skin{.name = "figure", .joints = {}, .inverse_bind = {}};
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const FigureJoint& joint = skeleton.joints[j];
-    const Vec3 place = to_metres(joint.position);
+    const Vec3 place = scale.to_metres(joint.position);
     Node node;
     node.name = joint.name;
     node.parent = joint.parent;
-    node.rest.translation = joint.parent < 0 ? place : place - to_metres(skeleton.joints[joint.parent].position);
+    node.rest.translation = joint.parent < 0 ? place : place - scale.to_metres(skeleton.joints[joint.parent].position);
     model.nodes.push_back(node);
     if (joint.parent >= 0)
       model.nodes[joint.parent].children.push_back(static_cast<int>(j));
@@ -260,10 +255,9 @@ Result<BodyOptions> figure_preset(std::string_view name) {
   return options;
 }
 
-Result<Model> build_figure(const BodyOptions& options) {
-  if (auto ok = check_figure_options(options); !ok) return pass_on(std::move(ok));
-  const MeasuredBody body = measured_body(options.sex, options.build, options.muscle);
-  const double height = options.height > 0.0 ? options.height : body.height;
+BuiltFigure built_figure(const BodyOptions& options) {
+  BuiltFigure out{measured_body(options.sex, options.build, options.muscle), {}, {}};
+  const MeasuredBody& body = out.body;
   const BodyField field(body);
   HalfCage cage = figure_cage(body);
   relax_cage(cage, field);
@@ -277,10 +271,10 @@ Result<Model> build_figure(const BodyOptions& options) {
   const Half half =
       built_half(cage, refine_strips(cage.quads, same, strips, parts), field, FigureWeights(body, skeleton));
 
-  Model model;
+  Model& model = out.model;
   model.file = "figure";
-  const ToMetres to_metres(half.surface.positions, height);
-  add_skeleton(model, skeleton, to_metres);
+  out.scale = scale_to(half.surface.positions, options.height > 0.0 ? options.height : body.height);
+  add_skeleton(model, skeleton, out.scale);
   Node node;
   node.name = "figure";
   node.mesh = 0;
@@ -289,13 +283,18 @@ Result<Model> build_figure(const BodyOptions& options) {
   model.nodes.push_back(node);
   Mesh mesh{.name = "figure", .primitives = {}, .morph_weights = {}};
   mesh.primitives.push_back(
-      whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, to_metres));
+      whole_skin(half, refine_strips(cut.quads, cut.welded, strips, parts), cut, skeleton, out.scale));
   model.meshes.push_back(std::move(mesh));
   Material& material = model.materials.emplace_back();
   material.name = "skin";
   material.base_colour = skin_colour;
   material.roughness = 0.6;
-  return model;
+  return out;
+}
+
+Result<Model> build_figure(const BodyOptions& options) {
+  if (auto ok = check_figure_options(options); !ok) return pass_on(std::move(ok));
+  return std::move(built_figure(options).model);
 }
 
 }  // namespace sinew

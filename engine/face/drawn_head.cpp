@@ -46,10 +46,15 @@ Result<HeadMeasures> measures_at(const HeadSpec& spec, double age) {
 }
 
 CharacterFace face_of(const Head& head) {
-  return {picked_face(head.face, head_vertices(head)), {.unit = head.metres()}};
+  return {picked_face(head.face, head_vertices(head)), {.unit = head.metres()}, head_guides(head.measures)};
 }
 
 }  // namespace
+
+Result<HeadMeasures> head_measures(const HeadSpec& spec, double frame) {
+  if (auto ok = check_names(spec); !ok) return pass_on(std::move(ok));
+  return measures_at(spec, spec.age.value_at(frame));
+}
 
 Result<DrawnHead> DrawnHead::make(const HeadSpec& spec, double frame) {
   if (auto ok = check_names(spec); !ok) return pass_on(std::move(ok));
@@ -103,8 +108,12 @@ FaceRig DrawnHead::sizes(double frame) const {
 
 CharacterFace DrawnHead::face_at(double frame) const {
   const auto [older, younger, t] = span_at(frame);
-  return {blended_face(older->face.rig, younger->face.rig, t),
-          {.unit = glm::mix(older->face.place.unit, younger->face.place.unit, t)}};
+  CharacterFace out{blended_face(older->face.rig, younger->face.rig, t),
+                    {.unit = glm::mix(older->face.place.unit, younger->face.place.unit, t)},
+                    {}};
+  for (const FaceGuideName& guide : face_guide_names())
+    out.guides.*guide.height = glm::mix(older->face.guides.*guide.height, younger->face.guides.*guide.height, t);
+  return out;
 }
 
 void DrawnHead::age(double frame, CharacterMesh& mesh) const {

@@ -9,6 +9,9 @@
 
 namespace sinew {
 
+/// The measures that a scene asks for at a frame. Fails as DrawnHead::make does.
+Result<HeadMeasures> head_measures(const HeadSpec& spec, double frame);
+
 class DrawnHead {
  public:
   /// `frame`: at whose age the model is made. Fails as bad_input, as read_file() does where there is no such file of

@@ -91,9 +91,9 @@ HeadShape shape_of(const FaceRig& face, const HeadShape& rest, const ShapeRecipe
 }
 
 void add_face_shapes(const CharacterMesh& mesh, Model& model) {
-  const auto& [rig, place] = *mesh.face;
+  const FaceRig& rig = mesh.face->rig;
   const HeadShape rest = rest_shape_of(mesh);
-  const auto posed = [&rig = rig, &rest](const FaceChannels& channels) {
+  const auto posed = [&rig, &rest](const FaceChannels& channels) {
     const FaceState state = face_state(rig, channels);
     HeadShape out{"", rest.positions, rest.normals};
     FaceJob{rig, state, rest.positions, rest.normals, out.positions, out.normals}.run();

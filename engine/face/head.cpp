@@ -7,6 +7,7 @@
 #include "engine/face/head_layout.h"
 #include "engine/face/head_normals.h"
 #include "engine/face/head_regions.h"
+#include "engine/face/landmarks.h"
 
 namespace sinew {
 namespace {
@@ -130,6 +131,17 @@ class HeadBuilder {
     }
   }
 
+  /// Teeth and tongue darken towards the corners of the mouth and towards the throat.
+  void set_gloom(std::size_t first_inside) {
+    const HeadMeasures& m = plan_.m;
+    for (std::size_t v = 0; v < head_.positions.size(); ++v) {
+      const Vec3& p = head_.positions[v];
+      const double aside = (std::abs(p.x) / m.mouth_width - 0.40) / 0.40;
+      const double behind = (plan_.lip_line - p.z - 0.25) / 0.5;
+      head_.gloom.push_back(v < first_inside ? 0.0 : smoothstep01(std::max(aside, behind)));
+    }
+  }
+
   void set_landmarks() {
     const auto vertex = [&](const CagePoint& point) { return topology_.vertex_of(point); };
     std::uint32_t crown = 0, hair = 0;
@@ -150,6 +162,10 @@ class HeadBuilder {
                        {"chin", vertex(chin_point(3, 2))},
                        {"earTop", vertex(ear_point(2, 17))},
                        {"earBottom", vertex(ear_point(2, 8))}};
+    for (const LandmarkName& l : landmark_names()) {
+      const std::uint32_t left = vertex(l.place);
+      head_.marks[l.name] = l.right ? topology_.mirror()[left] : left;
+    }
   }
 
   void set_lip_line() {
@@ -195,6 +211,10 @@ class HeadBuilder {
 
 }  // namespace
 
+FaceGuides head_guides(const HeadMeasures& m) {
+  return {head_units, m.hair_line, m.brow_height, m.eye_height, m.nose_height, m.mouth_height, 0.0};
+}
+
 struct HeadMaker::Impl {
   explicit Impl(int level) : topology(level), triangles(skin_triangles(topology)), layout(skin_layout(topology)) {}
   HeadTopology topology;
@@ -215,8 +235,10 @@ Result<Head> HeadMaker::head(const HeadMeasures& measures) const {
   builder.add_skin(impl_->triangles, impl_->layout);
   builder.add_eyes();
   builder.add_brows();
+  const std::size_t first_inside = out.positions.size();
   builder.add_inside();
   builder.set_blush();
+  builder.set_gloom(first_inside);
   builder.set_landmarks();
   builder.set_lip_line();
   out.normals = head_normals(out, out.positions);

@@ -19,17 +19,22 @@ struct Head {
   std::vector<Vec3> normals;              ///< [vertices]
   std::vector<Vec2> texture_coordinates;  ///< [vertices]
   std::vector<double> blush;              ///< [vertices] 0 to 1: where the skin is redder
+  std::vector<double> gloom;              ///< [vertices] 0 to 1: how deep in the mouth, where little light comes
   std::vector<HeadTriangle> triangles;    ///< the same for every head of a level
   std::size_t skin_vertices = 0;          ///< the skin's stand first
   std::vector<std::uint32_t> mirror;      ///< [vertices] the same place on the other side
   FaceRig face;
   std::map<std::string, std::uint32_t> landmarks;  ///< crown, hairLine, brow ...: vertices
+  std::map<std::string, std::uint32_t> marks;      ///< the vertex of each of landmark_names()
 
   /// Vertices of upper and lower lip that lie on each other when the mouth is shut, from the middle to both corners.
   std::vector<std::array<std::uint32_t, 2>> lip_line;
 
   double metres() const { return measures.height / head_units; }  ///< a drawing unit's length
 };
+
+/// The lines that a head of these measures is drawn by.
+FaceGuides head_guides(const HeadMeasures& measures);
 
 /// The parts of heads that do not depend on measures, for heads of one level of subdivision.
 class HeadMaker {

@@ -21,14 +21,20 @@ constexpr std::array<Look, head_materials> looks = {{{"skin", {0.70, 0.42, 0.31}
                                                      {"iris", {0.055, 0.19, 0.34}, 0.15},
                                                      {"pupil", {0.004, 0.004, 0.005}, 0.10},
                                                      {"brows", {0.045, 0.020, 0.010}, 0.80},
-                                                     {"teeth", {0.86, 0.82, 0.72}, 0.30},
-                                                     {"gums", {0.45, 0.11, 0.11}, 0.50},
+                                                     {"teeth", {0.86, 0.82, 0.72}, 0.45},
+                                                     {"gums", {0.45, 0.11, 0.11}, 0.60},
                                                      {"tongue", {0.50, 0.10, 0.10}, 0.50}}};
 /// Factor of the skin's colour where it blushes most.
 constexpr Vec3 blush_colour{1.0, 0.62, 0.58};
+/// Factor of the colours in the mouth where it is darkest.
+constexpr Vec3 gloom_colour{0.16, 0.08, 0.08};
 
 /// The brows of an infant.
 constexpr Vec3 downy_brow{0.30, 0.15, 0.08};
+
+bool lies_inside(HeadMaterial material) {
+  return material == HeadMaterial::teeth || material == HeadMaterial::gum || material == HeadMaterial::tongue;
+}
 
 /// The vertices of one material, in the order of their first use.
 struct MaterialPart {
@@ -79,24 +85,27 @@ Model head_model(const Head& head, const HeadShape* base, std::span<const HeadSh
   const auto parts = parts_of(head);
   for (std::size_t m = 0; m < head_materials; ++m) {
     Primitive primitive;
+    const auto material = static_cast<HeadMaterial>(m);
     for (const std::uint32_t v : parts[m].vertices) {
       primitive.positions.push_back(metres * positions[v]);
       primitive.normals.push_back(normals[v]);
       primitive.texture_coordinates.push_back(head.texture_coordinates[v]);
-      if (m == 0) primitive.colours.emplace_back(glm::mix(Vec3(1.0), blush_colour, head.blush[v]), 1.0);
+      if (material == HeadMaterial::skin)
+        primitive.colours.emplace_back(glm::mix(Vec3(1.0), blush_colour, head.blush[v]), 1.0);
+      if (lies_inside(material)) primitive.colours.emplace_back(glm::mix(Vec3(1.0), gloom_colour, head.gloom[v]), 1.0);
     }
     primitive.indices = parts[m].indices;
     for (const HeadShape& shape : shapes)
       primitive.morph_targets.push_back(target_of(shape, positions, normals, parts[m], metres));
     primitive.material = static_cast<int>(m);
     mesh.primitives.push_back(std::move(primitive));
-    Material material;
-    material.name = looks[m].name;
-    const bool brow = static_cast<HeadMaterial>(m) == HeadMaterial::brow;
-    material.base_colour =
-        Vec4(brow ? glm::mix(looks[m].colour, downy_brow, head.measures.skull_infant) : looks[m].colour, 1.0);
-    material.roughness = looks[m].roughness;
-    materials.push_back(material);
+    Material& look = materials.emplace_back();
+    look.name = looks[m].name;
+    look.base_colour =
+        Vec4(material == HeadMaterial::brow ? glm::mix(looks[m].colour, downy_brow, head.measures.skull_infant)
+                                            : looks[m].colour,
+             1.0);
+    look.roughness = looks[m].roughness;
   }
   mesh.morph_weights.assign(shapes.size(), 0.0);
   Model model = single_mesh_model(std::move(mesh));

@@ -19,30 +19,6 @@ const Json& document() {
   return parsed;
 }
 
-FaceLimits limits_of(const FaceRig& face, double nose_scale) {
-  const Json& l = document()["limits"];
-  const double eye = face.eye_scale, mouth = face.mouth_scale;
-  return {.eyebrow_up_vertical = eye * double(l["EYEBROW_U_VERT_LIMIT"]),
-          .eyebrow_down_vertical = eye * double(l["EYEBROW_D_VERT_LIMIT"]),
-          .eyebrow_out_horizontal = eye * double(l["EYEBROW_OUT_HORT_LIMIT"]),
-          .eyebrow_in_horizontal = eye * double(l["EYEBROW_IN_HORT_LIMIT"]),
-          .eyebrow_rotate_range = l["EYEBROW_ROTATE_RANGE"],
-          .eyelid_upper_wide = l["EYELID_U_U_VERT_LIMIT"],
-          .eyelid_lower_up = l["EYELID_D_U_VERT_LIMIT"],
-          .eyeball_yaw = l["EYEBALL_HORT_LIMIT"],
-          .eyeball_up = l["EYEBALL_U_VERT_LIMIT"],
-          .eyeball_down = l["EYEBALL_D_VERT_LIMIT"],
-          .lip_up = mouth * double(l["LIP_U_VERT_LIMIT"]),
-          .lip_down = mouth * double(l["LIP_D_VERT_LIMIT"]),
-          .corner_out = mouth * double(l["MOUTH_CORNER_OUT_HORT_LIMIT"]),
-          .corner_in = mouth * double(l["MOUTH_CORNER_IN_HORT_LIMIT"]),
-          .corner_up = mouth * double(l["MOUTH_CORNER_U_VERT_LIMIT"]),
-          .corner_down = mouth * double(l["MOUTH_CORNER_D_VERT_LIMIT"]),
-          .chin_drop = face.jaw_scale * double(l["CHIN_D_LIMIT"]),
-          .cheek_up = eye * double(l["CHEEK_U_VERT_LIMIT"]),
-          .nose_wrinkle = nose_scale * double(l["NOSE_WRINKLE_LIMIT"])};
-}
-
 /// Angles by which the lids' points turn when the lid shuts, upper and lower, and how much of a point is inside the
 /// ball by intention.
 struct LidValues {
@@ -92,6 +68,30 @@ void set_lids(const HeadPlan& plan, const HeadTopology& topology, const HeadCage
 
 }  // namespace
 
+FaceLimits face_limits(const FaceRig& face, double nose_scale) {
+  const Json& l = document()["limits"];
+  const double eye = face.eye_scale, mouth = face.mouth_scale;
+  return {.eyebrow_up_vertical = eye * double(l["EYEBROW_U_VERT_LIMIT"]),
+          .eyebrow_down_vertical = eye * double(l["EYEBROW_D_VERT_LIMIT"]),
+          .eyebrow_out_horizontal = eye * double(l["EYEBROW_OUT_HORT_LIMIT"]),
+          .eyebrow_in_horizontal = eye * double(l["EYEBROW_IN_HORT_LIMIT"]),
+          .eyebrow_rotate_range = l["EYEBROW_ROTATE_RANGE"],
+          .eyelid_upper_wide = l["EYELID_U_U_VERT_LIMIT"],
+          .eyelid_lower_up = l["EYELID_D_U_VERT_LIMIT"],
+          .eyeball_yaw = l["EYEBALL_HORT_LIMIT"],
+          .eyeball_up = l["EYEBALL_U_VERT_LIMIT"],
+          .eyeball_down = l["EYEBALL_D_VERT_LIMIT"],
+          .lip_up = mouth * double(l["LIP_U_VERT_LIMIT"]),
+          .lip_down = mouth * double(l["LIP_D_VERT_LIMIT"]),
+          .corner_out = mouth * double(l["MOUTH_CORNER_OUT_HORT_LIMIT"]),
+          .corner_in = mouth * double(l["MOUTH_CORNER_IN_HORT_LIMIT"]),
+          .corner_up = mouth * double(l["MOUTH_CORNER_U_VERT_LIMIT"]),
+          .corner_down = mouth * double(l["MOUTH_CORNER_D_VERT_LIMIT"]),
+          .chin_drop = face.jaw_scale * double(l["CHIN_D_LIMIT"]),
+          .cheek_up = eye * double(l["CHEEK_U_VERT_LIMIT"]),
+          .nose_wrinkle = nose_scale * double(l["NOSE_WRINKLE_LIMIT"])};
+}
+
 CageValues region_weights(const HeadCage& cage, const char* region) {
   const std::map<std::string, HeadPart> parts = {
       {"eye", HeadPart::eye},           {"nose", HeadPart::nose},   {"mouth", HeadPart::mouth},
@@ -116,7 +116,7 @@ FaceRig skin_face(const HeadPlan& plan, const HeadTopology& topology, const Head
   face.eye_scale = plan.eye_scale;
   face.mouth_scale = plan.mouth_scale;
   face.jaw_scale = plan.mouth / adult_mouth_height;
-  face.limits = limits_of(face, plan.m.nose_width / adult_nose_width);
+  face.limits = face_limits(face, plan.m.nose_width / adult_nose_width);
   face.hinge = {0.0, plan.m.ear_bottom + 0.12, plan.m.ear_depth + 0.10};
   face.chin_reach = plan.m.chin_depth - face.hinge.z;
   face.chin_fall = face.hinge.y;

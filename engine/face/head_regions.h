@@ -10,6 +10,10 @@ namespace sinew {
 FaceRig skin_face(const HeadPlan& plan, const HeadTopology& topology, const HeadCage& cage,
                   const std::vector<Vec3>& skin);
 
+/// The limits of engine/face/face_regions.json for a face of these scales; `nose_scale` is its nose's width over the
+/// adult's.
+FaceLimits face_limits(const FaceRig& face, double nose_scale);
+
 /// Nothing of the lids may lie inside the eyeball, at rest either: moves such vertices out.
 void push_out_of_eyes(const FaceRig& face, std::vector<Vec3>& skin);
 

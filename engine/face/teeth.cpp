@@ -29,7 +29,7 @@ struct Arch {
 
 HeadSurface build_teeth(const HeadPlan& plan, bool upper) {
   const double scale = plan.mouth_scale, sign = upper ? 1.0 : -1.0;
-  const double height = (upper ? 0.19 : 0.17) * scale, edge = plan.mouth + (upper ? 0.005 : -0.025);
+  const double height = (upper ? 0.19 : 0.17) * scale, edge = plan.mouth + (upper ? 0.0 : -0.05);
   const Arch arch{0.86 * plan.m.mouth_width, 0.75 * scale, plan.lip_line - 0.068};
   HeadSurface out;
   constexpr int steps = teeth * steps_a_tooth;
@@ -40,8 +40,8 @@ HeadSurface build_teeth(const HeadPlan& plan, bool upper) {
     const double bulge = std::sqrt(std::sin(std::numbers::pi * in_tooth / steps_a_tooth));
     const Vec3 middle = arch.at(std::abs(u)), away = arch.outward(std::abs(u));
     for (const auto& [out_of_arch, along] : profile) {
-      const double notch = along < 1 ? 0.010 * (1 - bulge) : 0.0;
-      const double rise = sign * (along * height + (along < 0.05 ? 0.012 * (1 - bulge) : 0.0));
+      const double notch = along < 1 ? 0.006 * (1 - bulge) : 0.0;
+      const double rise = sign * (along * height + (along < 0.05 ? 0.006 * (1 - bulge) : 0.0));
       Vec3 p = middle + (out_of_arch - notch) * away;
       if (2 * i == steps) p.x = 0.0;
       out.positions.emplace_back(u < 0 ? -p.x : p.x, edge + rise, p.z);

@@ -7,6 +7,7 @@
 
 #include "engine/core/interrupt.h"
 #include "engine/core/parallel.h"
+#include "engine/fit/weight_run.h"
 #include "engine/fit/weight_smoothing.h"
 
 namespace sinew {
@@ -19,22 +20,6 @@ constexpr int smoothing_rounds = 4;
 constexpr double worth_a_bone = 2.0;
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::vector<Influence> sorted_run(const Support& support) {
-  std::vector<Influence> run;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < support.size; ++i) {
-    // Less than this is lost when weights are stored as floats that sum to 1.
-    if (support.weight[i] < 1e-7) continue;
-    run.push_back({support.bone[i], support.weight[i]});
-    sum += support.weight[i];
-  }
-  for (Influence& influence : run) influence.weight /= sum;
-  std::sort(run.begin(), run.end(), [](const Influence& a, const Influence& b) {
-    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
-  });
-  return run;
-}
 
 /// Goes over all vertices in parallel, a block at a time, each thread with a VertexFit of its own.
 class Sweep {
@@ -137,7 +122,7 @@ Result<Influences> SkinFitJob::run(SkinFitReport& report) const {
   if (!ok) return pass_on(std::move(ok));
   report.undetermined = open;
   Influences influences;
-  for (const Support& support : *fitted) influences.add_vertex(sorted_run(support));
+  for (const Support& support : *fitted) influences.add_vertex(weight_run(support));
   return influences;
 }
 

@@ -30,16 +30,7 @@ void number_shells(SurfaceGraph& graph, std::size_t vertices) {
   }
 }
 
-}  // namespace
-
-SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    edges.emplace_back(a, b);
-    edges.emplace_back(b, a);
-  };
-  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
-    for (std::size_t c = 0; c < 3; ++c) join(triangles[i + c], triangles[i + (c + 1) % 3]);
+std::vector<std::uint32_t> sorted_by_place(std::span<const Vec3> positions) {
   std::vector<std::uint32_t> by_place(positions.size());
   std::iota(by_place.begin(), by_place.end(), 0u);
   const auto place = [&](std::uint32_t v) {
@@ -47,6 +38,34 @@ SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std:
     return std::tuple(p.x, p.y, p.z, v);
   };
   std::sort(by_place.begin(), by_place.end(), [&](auto a, auto b) { return place(a) < place(b); });
+  return by_place;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> same_places(std::span<const Vec3> positions, std::size_t& places) {
+  const std::vector<std::uint32_t> by_place = sorted_by_place(positions);
+  std::vector<std::uint32_t> first(positions.size()), number(positions.size());
+  for (std::size_t i = 0; i < by_place.size(); ++i) {
+    const bool same = i > 0 && positions[by_place[i]] == positions[by_place[i - 1]];
+    first[by_place[i]] = same ? first[by_place[i - 1]] : by_place[i];
+  }
+  places = 0;
+  for (std::uint32_t v = 0; v < positions.size(); ++v)
+    number[v] = first[v] == v ? static_cast<std::uint32_t>(places++) : number[first[v]];
+  return number;
+}
+
+SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles, bool over_seams) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    edges.emplace_back(a, b);
+    edges.emplace_back(b, a);
+  };
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
+    for (std::size_t c = 0; c < 3; ++c) join(triangles[i + c], triangles[i + (c + 1) % 3]);
+  const std::vector<std::uint32_t> by_place =
+      over_seams ? sorted_by_place(positions) : std::vector<std::uint32_t>{};
   for (std::size_t i = 1; i < by_place.size(); ++i)
     if (positions[by_place[i]] == positions[by_place[i - 1]]) join(by_place[i - 1], by_place[i]);
   std::sort(edges.begin(), edges.end());

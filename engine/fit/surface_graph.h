@@ -20,7 +20,12 @@ struct SurfaceGraph {
   }
 };
 
-/// Neighbours by the triangles' edges, [3 * triangles] indices; vertices at the very same place are neighbours too.
-SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles);
+/// Neighbours by the triangles' edges, [3 * triangles] indices; vertices at the very same place are neighbours too,
+/// unless `over_seams` is false.
+SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std::uint32_t> triangles,
+                           bool over_seams = true);
+
+/// Numbers the distinct places, counted in `places`; vertices at the very same place share a number. [vertices]
+std::vector<std::uint32_t> same_places(std::span<const Vec3> positions, std::size_t& places);
 
 }  // namespace sinew

@@ -100,21 +100,31 @@ bool has_validation_layer(const vk::raii::Context& context) {
 }
 
 /// Throws vk::SystemError where no driver can be loaded.
-void create_instance(VulkanDevice& vulkan, bool validate) {
+void create_instance(VulkanDevice& vulkan, bool validate, const std::vector<std::string>& surface_extensions = {}) {
   vk::ApplicationInfo application("sinew", 1, "sinew", 1, VK_API_VERSION_1_3);
   vk::InstanceCreateInfo info({}, &application);
   const std::array layers{validation_layer};
-  const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+  std::vector<const char*> extensions;
+  for (const std::string& extension : surface_extensions) extensions.push_back(extension.c_str());
   const std::array checks{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
   vk::DebugUtilsMessengerCreateInfoEXT messages = messenger_info(vulkan);
   vk::ValidationFeaturesEXT features(checks);
   if (validate) {
-    info.setPEnabledLayerNames(layers).setPEnabledExtensionNames(extensions);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    info.setPEnabledLayerNames(layers);
     features.pNext = &messages;
     info.pNext = &features;
   }
+  info.setPEnabledExtensionNames(extensions);
   vulkan.instance = vk::raii::Instance(vulkan.context, info);
   if (validate) vulkan.messenger = vk::raii::DebugUtilsMessengerEXT(vulkan.instance, messenger_info(vulkan));
+}
+
+bool has_swapchain(const vk::raii::PhysicalDevice& physical) {
+  const auto extensions = physical.enumerateDeviceExtensionProperties();
+  return std::any_of(extensions.begin(), extensions.end(), [](const vk::ExtensionProperties& extension) {
+    return std::string_view(extension.extensionName) == VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+  });
 }
 
 int preference(const DeviceInfo& info) {
@@ -155,7 +165,7 @@ Result<std::size_t> choose(const std::vector<DeviceInfo>& devices, const std::st
   return failure(ErrorKind::no_device, "no Vulkan device is called \"{}\"; there are:{}", wanted, listing(devices));
 }
 
-void create_logical_device(VulkanDevice& vulkan) {
+void create_logical_device(VulkanDevice& vulkan, bool for_windows) {
   vulkan.queue_family = *find_queue_family(vulkan.physical);
   vulkan.limits = vulkan.physical.getProperties().limits;
   vulkan.anisotropy = vulkan.physical.getFeatures().samplerAnisotropy;
@@ -170,7 +180,9 @@ void create_logical_device(VulkanDevice& vulkan) {
   features.features.samplerAnisotropy = vulkan.anisotropy;
   features.features.sampleRateShading = vulkan.sample_shading;
   features.pNext = &core13;
+  const std::array swapchain{VK_KHR_SWAPCHAIN_EXTENSION_NAME};
   vk::DeviceCreateInfo info({}, queue);
+  if (for_windows) info.setPEnabledExtensionNames(swapchain);
   info.pNext = &features;
   vulkan.device = vk::raii::Device(vulkan.physical, info);
   vulkan.queue = vk::raii::Queue(vulkan.device, vulkan.queue_family, 0);
@@ -212,14 +224,18 @@ Result<Device> Device::create(const DeviceOptions& options) {
     if (options.validate && !has_validation_layer(vulkan->context))
       return failure(ErrorKind::no_device, "--validate needs the layer {} (Debian: vulkan-validationlayers)",
                      validation_layer);
-    create_instance(*vulkan, options.validate);
+    create_instance(*vulkan, options.validate, options.surface_extensions);
     const vk::raii::PhysicalDevices physical(vulkan->instance);
     const auto devices = describe_all(physical);
     const auto chosen = choose(devices, options.wanted);
     if (!chosen) return tl::unexpected<Error>(chosen.error());
     vulkan->physical = physical[*chosen];
     vulkan->info = devices[*chosen];
-    create_logical_device(*vulkan);
+    const bool for_windows = !options.surface_extensions.empty();
+    if (for_windows && !has_swapchain(vulkan->physical))
+      return failure(ErrorKind::no_device, "device \"{}\" cannot show pictures in a window; sinew render needs none",
+                     vulkan->info.name);
+    create_logical_device(*vulkan, for_windows);
     return Device(std::move(vulkan));
   } catch (const vk::SystemError& error) {
     return no_vulkan(error);

@@ -22,6 +22,8 @@ struct DeviceInfo {
 struct DeviceOptions {
   std::string wanted;     ///< index, or a part of the name, letter case ignored; empty: the fastest kind there is
   bool validate = false;  ///< run with the validation layer's core and synchronisation checks
+  /// Instance extensions of a window system. Not empty: the device can show pictures in its windows.
+  std::vector<std::string> surface_extensions = {};
 };
 
 struct VulkanDevice;

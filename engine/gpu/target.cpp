@@ -26,7 +26,7 @@ vk::ImageMemoryBarrier2 transition(const DeviceImage& image, vk::ImageAspectFlag
           vk::ImageSubresourceRange(aspect, 0, 1, 0, 1)};
 }
 
-vk::ImageMemoryBarrier2 colour_to_attachment(const DeviceImage& image, Stage after) {
+vk::ImageMemoryBarrier2 colour_to_attachment(const DeviceImage& image, vk::PipelineStageFlags2 after) {
   return transition(image, vk::ImageAspectFlagBits::eColor, after, Access::eNone, Stage::eColorAttachmentOutput,
                     Access::eColorAttachmentRead | Access::eColorAttachmentWrite, Layout::eUndefined,
                     Layout::eColorAttachmentOptimal);
@@ -100,6 +100,13 @@ void make_colour_readable(const vk::raii::CommandBuffer& commands, const DeviceI
   commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
 }
 
+void make_colour_copyable(const vk::raii::CommandBuffer& commands, const DeviceImage& image) {
+  const auto barrier = transition(image, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                                  Access::eColorAttachmentWrite, Stage::eCopy | Stage::eBlit, Access::eTransferRead,
+                                  Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
+
 Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk::SampleCountFlagBits samples) {
   using Usage = vk::ImageUsageFlagBits;
   Target target;
@@ -139,7 +146,8 @@ vk::RenderingAttachmentInfo Target::colour_attachment(vk::AttachmentLoadOp load,
 }
 
 void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last) const {
-  std::vector<vk::ImageMemoryBarrier2> barriers{colour_to_attachment(colour, Stage::eCopy), depth_to_attachment(depth)};
+  std::vector<vk::ImageMemoryBarrier2> barriers{colour_to_attachment(colour, Stage::eCopy | Stage::eBlit),
+                                                depth_to_attachment(depth)};
   if (*multisampled.image) barriers.push_back(colour_to_attachment(multisampled, Stage::eColorAttachmentOutput));
   commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barriers));
 
@@ -167,10 +175,7 @@ void Target::resume(const vk::raii::CommandBuffer& commands, const DeviceImage& 
 void Target::end(const vk::raii::CommandBuffer& commands) const { commands.endRendering(); }
 
 void Target::record_copy(const vk::raii::CommandBuffer& commands) const {
-  const auto to_source =
-      transition(colour, vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                 Stage::eCopy, Access::eTransferRead, Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
-  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, to_source));
+  make_colour_copyable(commands, colour);
   const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
   commands.copyImageToBuffer(*colour.image, Layout::eTransferSrcOptimal, *readback.buffer,
                              vk::BufferImageCopy(0, 0, 0, layers, {0, 0, 0}, {width, height, 1}));

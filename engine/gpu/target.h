@@ -48,6 +48,9 @@ void end_depth_rendering(const vk::raii::CommandBuffer& commands, const DeviceIm
 void make_colour_drawable(const vk::raii::CommandBuffer& commands, const DeviceImage& image);
 void make_colour_readable(const vk::raii::CommandBuffer& commands, const DeviceImage& image);
 
+/// Takes a colour image that was drawn to to being copied from.
+void make_colour_copyable(const vk::raii::CommandBuffer& commands, const DeviceImage& image);
+
 /// Takes a depth image that was drawn to into the layout eDepthReadOnlyOptimal: for shaders, and tests that do not
 /// write.
 void make_depth_readable(const vk::raii::CommandBuffer& commands, const DeviceImage& image);

@@ -63,6 +63,11 @@ MotionUse read_motion(const JsonValue& value, const fs::path& folder) {
   return use;
 }
 
+std::string read_landmarks_key(const JsonValue& value, const fs::path& folder) {
+  const std::string written = value.text("the path of a landmark file, or \"auto\"");
+  return written == "auto" ? written : resolved_path(written, folder).string();
+}
+
 int read_count(const JsonValue& value) {
   constexpr int highest_count = 1'000'000;
   const int count = value.integer(1, highest_count);
@@ -107,8 +112,9 @@ fs::path resolved_path(const std::string& written, const fs::path& folder) {
 }
 
 Character read_character(const JsonValue& value, const fs::path& folder) {
-  static const std::vector<std::string> known{"model",   "clip", "motion", "position",    "turn",    "count",
-                                              "muscles", "keys", "head",   "expressions", "regions", "emotion"};
+  static const std::vector<std::string> known{"model",   "clip",    "motion",   "position", "turn",
+                                              "count",   "muscles", "keys",     "head",     "expressions",
+                                              "regions", "emotion", "landmarks"};
   Character character;
   if (!value.expect_object(known)) return character;
   if (const auto model =
@@ -121,6 +127,7 @@ Character read_character(const JsonValue& value, const fs::path& folder) {
   if (const auto count = value.find("count")) character.count = read_count(*count);
   if (const auto muscles = value.find("muscles")) character.muscles = read_muscles(*muscles);
   if (const auto keys = value.find("keys")) character.keys = read_joint_keys(*keys);
+  if (const auto landmarks = value.find("landmarks")) character.landmarks = read_landmarks_key(*landmarks, folder);
   read_face(value, folder, character);
   return character;
 }

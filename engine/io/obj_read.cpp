@@ -7,11 +7,11 @@
 
 namespace sinew {
 
-Result<ObjMesh> read_obj(const std::filesystem::path& file) {
+Result<PolygonMesh> read_obj(const std::filesystem::path& file) {
   const auto bytes = read_file(file);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   std::istringstream text(std::string(bytes->begin(), bytes->end()));
-  ObjMesh out;
+  PolygonMesh out;
   std::string line, word;
   for (std::size_t number = 1; std::getline(text, line); ++number) {
     std::istringstream words(line);

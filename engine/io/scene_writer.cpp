@@ -76,6 +76,8 @@ ordered_json character_to_json(const Character& character, const fs::path& folde
   if (character.count != defaults.count) object["count"] = character.count;
   for (const MuscleSpec& muscle : character.muscles) object["muscles"].push_back(muscle_to_json(muscle));
   if (!character.keys.empty()) object["keys"] = map_to_json(character.keys);
+  if (!character.landmarks.empty())
+    object["landmarks"] = character.landmarks == "auto" ? "auto" : path_text(character.landmarks, folder);
   write_face(character, folder, object);
   return object;
 }
@@ -83,6 +85,7 @@ ordered_json character_to_json(const Character& character, const fs::path& folde
 ordered_json camera_to_json(const Camera& camera) {
   ordered_json object{{"view", word(camera.view, view_names())}};
   if (camera.orbit != Camera{}.orbit) object["orbit"] = keyed_to_json(camera.orbit);
+  if (camera.elevation) object["elevation"] = *camera.elevation;
   if (camera.target) object["target"] = keyed_to_json(*camera.target);
   if (camera.distance) object["distance"] = keyed_to_json(*camera.distance);
   return object;

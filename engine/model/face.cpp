@@ -23,6 +23,17 @@ std::string channel_word(FaceChannel channel) {
   return *name.number ? std::string(name.region) + "." + name.number : name.region;
 }
 
+std::span<const FaceGuideName> face_guide_names() {
+  static constexpr std::array<FaceGuideName, 7> names = {{{"crown", "crown", &FaceGuides::crown},
+                                                          {"hairLine", "hair line", &FaceGuides::hair_line},
+                                                          {"brow", "brow", &FaceGuides::brow},
+                                                          {"eyeLine", "eyes", &FaceGuides::eye_line},
+                                                          {"noseBase", "nose", &FaceGuides::nose_base},
+                                                          {"lipContact", "mouth", &FaceGuides::lip_contact},
+                                                          {"chin", "chin", &FaceGuides::chin}}};
+  return names;
+}
+
 void append_vertex(const FaceVertex& vertex, const std::vector<FaceDelta>& deltas, FaceRig& rig) {
   rig.vertices.push_back(vertex);
   rig.deltas.insert(rig.deltas.end(), deltas.begin(), deltas.end());

@@ -176,10 +176,23 @@ struct FacePlace {
   double unit = 1.0;
 };
 
+/// Heights of the lines that a head is drawn by (Loomis 1956), drawing units; not a number where nobody knows.
+struct FaceGuides {
+  double crown = NAN, hair_line = NAN, brow = NAN, eye_line = NAN, nose_base = NAN, lip_contact = NAN, chin = NAN;
+};
+/// A guide line's landmark.
+struct FaceGuideName {
+  const char* name;   ///< as landmarks are named
+  const char* words;  ///< for people
+  double FaceGuides::*height;
+};
+std::span<const FaceGuideName> face_guide_names();
+
 /// The face of a character. Whoever knows a mesh's regions gives it: a drawn head its own, a transfer another's.
 struct CharacterFace {
   FaceRig rig;  ///< in the order of the mesh's vertices; those beside the face take part in nothing
   FacePlace place;
+  FaceGuides guides;
 };
 
 }  // namespace sinew

@@ -37,7 +37,7 @@ class Builder {
     mesh.morph_slots = like.morph_slots;
     mesh.parts = like.parts;
     mesh.morph_first.push_back(0);
-    if (like.face) mesh.face = {face_sizes(like.face->rig), like.face->place};
+    if (like.face) mesh.face = {face_sizes(like.face->rig), like.face->place, like.face->guides};
   }
 
   void copy(const CharacterMesh& from, std::uint32_t v) {

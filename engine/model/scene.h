@@ -22,7 +22,7 @@ enum class MusclePreset { biceps, calf, triceps, forearm_flexors, quadriceps, ha
 enum class Expression { neutral, smile, laugh, anger, surprise, shout, fear, sadness, doubt, disgust };
 enum class View { front, back, left, right, top, three_quarter };
 enum class Shading { lit, flat, clay, normals, weights, bulge, depth };
-enum class Overlay { skeleton, bones, muscles, arrows, projection, box, axes, wire, wire_all };
+enum class Overlay { skeleton, bones, muscles, arrows, projection, box, axes, wire, wire_all, guides, regions };
 enum class CompareWith { none, bulge, deformer, overlay };
 enum class ComparisonPlace { panels, inset };
 enum class MusclePlot { none, angle, profile };
@@ -68,13 +68,13 @@ struct ExpressionWeight {
 
 /// An expression that comes, stays and goes beside whatever else the face does: start at, run until, stop at.
 struct ExpressionCue {
-  std::string expression;      ///< any that the face knows, speech and blinks too; checked where the face is
-  double start = 0.0;          ///< the frame from which it comes
-  double until = 0.0;          ///< up to which it stays, from start on
-  std::optional<double> stop;  ///< at which it is gone, from until on; absent: `fade` frames after it
-  double fade = 6.0;           ///< frames in which it comes, >= 0; it stays at least as long as there is room for
-  double strength = 1.0;       ///< 0..most_expression_strength
-  Ease ease = Ease::linear;    ///< of coming and going
+  std::string expression;           ///< any that the face knows, speech and blinks too; checked where the face is
+  double start = 0.0;               ///< the frame from which it comes
+  double until = 0.0;               ///< up to which it stays, from start on
+  std::optional<double> stop = {};  ///< at which it is gone, from until on; absent: `fade` frames after it
+  double fade = 6.0;                ///< frames in which it comes, >= 0; it stays at least as long as there is room for
+  double strength = 1.0;            ///< 0..most_expression_strength
+  Ease ease = Ease::linear;         ///< of coming and going
 
   bool operator==(const ExpressionCue&) const = default;
 };
@@ -82,10 +82,10 @@ struct ExpressionCue {
 /// What `builtin:head` is drawn from. Names are checked where the head is made (engine/face).
 struct HeadSpec {
   Keyed<double> age = Keyed<double>::constant(0);  ///< 0 (adult) to 1 (infant)
-  std::map<std::string, double> skull;             ///< how much of each outline, 0..1
-  std::map<std::string, double> measures;          ///< in place of what age, skull or file say
-  std::optional<int> level;                        ///< of subdivision, 0..most_head_level; absent: the default
-  std::filesystem::path file;                      ///< a head's file of measures, in place of an age; empty: none
+  std::map<std::string, double> skull = {};        ///< how much of each outline, 0..1
+  std::map<std::string, double> measures = {};     ///< in place of what age, skull or file say
+  std::optional<int> level = {};                   ///< of subdivision, 0..most_head_level; absent: the default
+  std::filesystem::path file = {};                 ///< a head's file of measures, in place of an age; empty: none
 
   bool operator==(const HeadSpec&) const = default;
 };
@@ -146,10 +146,11 @@ struct Character {
   Keyed<double> turn = Keyed<double>::constant(0);        ///< degrees about +Y
   int count = 1;                                          ///< copies; more than 1 is refused until crowds exist
   std::vector<MuscleSpec> muscles;                        ///< no two of one muscle_name()
-  std::map<std::string, Keyed<Vec3>> keys;                ///< joint name -> degrees about the model's x, y, z, in turn
-  std::optional<HeadSpec> head;                           ///< of builtin:head; absent: an adult's
-  std::optional<Keyed<ExpressionWeight>> expressions;     ///< absent: neutral
-  std::vector<ExpressionCue> cues;                        ///< beside `expressions`
+  std::string landmarks;  ///< gives the model a face: a landmark file, "auto": look for them; empty: none
+  std::map<std::string, Keyed<Vec3>> keys;             ///< joint name -> degrees about the model's x, y, z, in turn
+  std::optional<HeadSpec> head;                        ///< of builtin:head; absent: an adult's
+  std::optional<Keyed<ExpressionWeight>> expressions;  ///< absent: neutral
+  std::vector<ExpressionCue> cues;                     ///< beside `expressions`
   std::map<std::string, Keyed<std::vector<double>>> regions;  ///< one of face_regions() -> its numbers
   std::vector<EmotionCue> emotion;                            ///< frames strictly rising
 
@@ -161,6 +162,7 @@ struct Camera {
   Keyed<double> orbit = Keyed<double>::constant(0);  ///< degrees, counter-clockwise seen from above
   std::optional<Keyed<Vec3>> target;                 ///< absent: the centre of what the scene shows
   std::optional<Keyed<double>> distance;             ///< from the target, > 0; absent: far enough to see everything
+  std::optional<double> elevation;                   ///< degrees above the level, -90..90; absent: the view's
 
   bool operator==(const Camera&) const = default;
 };

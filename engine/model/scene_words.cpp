@@ -48,8 +48,8 @@ std::span<const std::string> key_blend_names() {
 }
 
 std::span<const std::string> overlay_names() {
-  static const std::array<std::string, 9> names{"skeleton", "bones", "muscles", "arrows",  "projection",
-                                                "box",      "axes",  "wire",    "wire-all"};
+  static const std::array<std::string, 11> names{"skeleton", "bones", "muscles",  "arrows", "projection", "box",
+                                                 "axes",     "wire",  "wire-all", "guides", "regions"};
   return names;
 }
 

@@ -56,18 +56,25 @@ void sample_curves(const CurveClip& clip, const MotionSkeleton& skeleton, double
 
 double pose_microseconds(const CurveClip& clip, const MotionSkeleton& skeleton) {
   constexpr int poses = 501;
-  std::vector<Mat4> global(skeleton.joints.size());
+  std::vector<Mat4> global(skeleton.joints.size()), inverse_bind;
+  std::vector<Mat34> palette(global.size());
   std::vector<double> times;
-  MotionFrame frame;
-  for (int i = 0; i < poses; ++i) {
-    const auto begun = std::chrono::steady_clock::now();
-    sample_curves(clip, skeleton, clip.begin() + clip.duration() * i / (poses - 1.0), frame);
+  MotionFrame frame = rest_frame(skeleton);
+  const auto set_globals = [&] {
     for (std::size_t j = 0; j < global.size(); ++j) {
       const MotionJoint& joint = skeleton.joints[j];
       Mat4 local = glm::mat4_cast(frame.rotations[j]);
       local[3] = Vec4(joint.parent < 0 ? frame.root : joint.offset, 1.0);
       global[j] = joint.parent < 0 ? local : global[joint.parent] * local;
     }
+  };
+  set_globals();
+  for (const Mat4& rest : global) inverse_bind.push_back(glm::inverse(rest));
+  for (int i = 0; i < poses; ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    sample_curves(clip, skeleton, clip.begin() + clip.duration() * i / (poses - 1.0), frame);
+    set_globals();
+    for (std::size_t j = 0; j < global.size(); ++j) palette[j] = Mat34::from(global[j] * inverse_bind[j]);
     const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - begun;
     times.push_back(taken.count());
   }

@@ -32,8 +32,8 @@ struct CurveClip {
 /// The skeleton at a time. `frame.rotations` is made as long as it must be.
 void sample_curves(const CurveClip& clip, const MotionSkeleton& skeleton, double seconds, MotionFrame& frame);
 
-/// What a pose costs: microseconds, the median over the clip, to sample all curves and turn them into the skeleton's
-/// global transforms, [joints] 4x4, on one core.
+/// What a pose costs: microseconds, the median over the clip, to sample all curves, turn them into the skeleton's
+/// global transforms and those into a skin's palette, [joints], on one core.
 double pose_microseconds(const CurveClip& clip, const MotionSkeleton& skeleton);
 
 /// All of the clip's frames.

@@ -13,18 +13,25 @@ namespace {
 
 constexpr double still = 1e-9;  ///< a range of values that is rounding alone
 
-PiecewisePolynomial fitted(SmoothFitter& fitter, const CurveFitOptions& options) {
-  const int most = static_cast<int>(std::min<std::size_t>(fitter.times().size() - 1, max_degree));
-  if (most < lowest_smooth_degree) return fitter.lone_fit(most);
+Segmentation of_one_degree(SegmentTables& tables, const std::vector<std::size_t>& cuts, int degree) {
+  Segmentation segmentation{cuts, {}};
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    segmentation.degrees.push_back(std::min(degree, tables.of(cuts[i + 1] - cuts[i]).highest_degree));
+  return segmentation;
+}
+
+PiecewisePolynomial fitted(SegmentTables& tables, const EvenSamples& samples, const CurveFitOptions& options) {
+  const int most = static_cast<int>(std::min<std::size_t>(samples.last(), max_degree));
+  if (most < lowest_smooth_degree) return fit_lone(samples, most);
   const int degree = std::min(options.degree.value_or(options.tolerance ? max_degree : default_fit_degree), most);
   if (!options.segments) {
-    if (options.tolerance) return fit_within(fitter, *options.tolerance, degree);
-    return fit_selected(fitter.times(), fitter.values(), degree, options.resolution);
+    if (options.tolerance) return fit_within(tables, samples, *options.tolerance, degree);
+    return fit_selected(tables, samples, degree, options.resolution);
   }
-  if (*options.segments == 1 && !options.tolerance) return fitter.lone_fit(degree);
-  const auto cuts = cuts_for(fitter.values(), static_cast<std::size_t>(*options.segments), options.resolution);
-  if (options.tolerance) return fit_degrees_within(fitter, cuts, *options.tolerance, degree);
-  return fitter.fit({cuts, std::vector<int>(cuts.size() - 1, degree)});
+  if (*options.segments == 1 && !options.tolerance) return fit_lone(samples, degree);
+  const auto cuts = cuts_for(samples.values, static_cast<std::size_t>(*options.segments), options.resolution);
+  if (options.tolerance) return fit_degrees_within(tables, samples, cuts, *options.tolerance, degree);
+  return fit_smooth(tables, samples, of_one_degree(tables, cuts, degree));
 }
 
 }  // namespace
@@ -41,7 +48,8 @@ Result<void> check_fit_options(const CurveFitOptions& options) {
   return {};
 }
 
-CurveFit fit_curve(std::span<const double> times, std::span<const double> values, const CurveFitOptions& options) {
+CurveFit fit_curve(SegmentTables& tables, std::span<const double> times, std::span<const double> values,
+                   const CurveFitOptions& options) {
   assert(!times.empty() && times.size() == values.size());
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double middle = 0.5 * (*low + *high);
@@ -53,8 +61,8 @@ CurveFit fit_curve(std::span<const double> times, std::span<const double> values
     // Sums of squares lose fewest digits about the middle.
     std::vector<double> centred(values.begin(), values.end());
     for (double& value : centred) value -= middle;
-    SmoothFitter fitter(times, centred);
-    fit.curve = fitted(fitter, options);
+    const double spacing = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+    fit.curve = fitted(tables, {times.front(), spacing, centred}, options);
     for (auto& segment : fit.curve.coefficients) segment[0] += middle;
   }
   double squares = 0.0;
@@ -64,6 +72,11 @@ CurveFit fit_curve(std::span<const double> times, std::span<const double> values
   }
   fit.rms_error = std::sqrt(squares / static_cast<double>(times.size()));
   return fit;
+}
+
+CurveFit fit_curve(std::span<const double> times, std::span<const double> values, const CurveFitOptions& options) {
+  SegmentTables tables(times.size());
+  return fit_curve(tables, times, values, options);
 }
 
 }  // namespace sinew

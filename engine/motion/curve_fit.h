@@ -8,6 +8,8 @@
 
 namespace sinew {
 
+class SegmentTables;
+
 struct CurveFitOptions {
   std::optional<int> degree;        ///< 3 to 8: of every segment; with a tolerance the highest (else 8)
   std::optional<int> segments;      ///< nothing: as many as the tolerance or the noise asks
@@ -26,8 +28,12 @@ constexpr int default_fit_degree = 5;  ///< the paper's, where there is no toler
 /// Fails as usage with the option's name where one is out of its range.
 Result<void> check_fit_options(const CurveFitOptions& options);
 
-/// `times`: [samples >= 1] seconds, strictly rising; `values`: [samples], finite. Options as check_fit_options() wants
-/// them. A curve that does not move is one segment of degree 0; too few samples for a degree lower it.
+/// `times`: [samples >= 1] seconds, evenly spaced; `values`: [samples], finite. Options as check_fit_options() wants
+/// them. A curve that does not move is one segment of degree 0; too few samples for a degree lower it. `tables`, which
+/// curves of as many samples may share, reach to all of the samples.
+CurveFit fit_curve(SegmentTables& tables, std::span<const double> times, std::span<const double> values,
+                   const CurveFitOptions& options);
+/// The same with tables of its own.
 CurveFit fit_curve(std::span<const double> times, std::span<const double> values, const CurveFitOptions& options);
 
 }  // namespace sinew

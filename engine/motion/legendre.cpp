@@ -3,10 +3,25 @@
 #include <cassert>
 
 namespace sinew {
+namespace {
+
+/// Bonnet's factors: P_(k+1) = ahead[k] x P_k - behind[k] P_(k-1). Divisions are what a sum would take longest for.
+constexpr auto factors = [] {
+  struct {
+    std::array<double, max_coefficients> ahead{}, behind{};
+  } f;
+  for (int k = 0; k < max_coefficients; ++k) {
+    f.ahead[k] = (2.0 * k + 1.0) / (k + 1.0);
+    f.behind[k] = k / (k + 1.0);
+  }
+  return f;
+}();
+
+}  // namespace
 
 LegendreValues legendre_values(double x) {
   LegendreValues p{1.0, x};
-  for (int k = 1; k < max_degree; ++k) p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1);
+  for (int k = 1; k < max_degree; ++k) p[k + 1] = factors.ahead[k] * x * p[k] - factors.behind[k] * p[k - 1];
   return p;
 }
 
@@ -15,8 +30,7 @@ double legendre_sum(std::span<const double> coefficients, double x) {
   double before = 0.0, now = 1.0, sum = 0.0;
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     sum += coefficients[k] * now;
-    const double n = static_cast<double>(k);
-    const double next = ((2.0 * n + 1.0) * x * now - n * before) / (n + 1.0);
+    const double next = factors.ahead[k] * x * now - factors.behind[k] * before;
     before = now;
     now = next;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/parallel.h"
+#include "engine/motion/segment_tables.h"
 
 namespace sinew {
 
@@ -16,6 +17,7 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
   const auto begun = std::chrono::steady_clock::now();
   const MotionSamples samples = motion_samples(motion);
   const std::size_t joints = samples.joints.size();
+  SegmentTables tables(samples.times.size());
   MotionFit fit;
   fit.tolerance = options.tolerance.value_or(0.0);
   fit.clip.frame_time = motion.frame_time;
@@ -29,7 +31,7 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
         std::vector<double> values(samples.times.size());
         for (int axis = 0; axis < 3; ++axis) {
           for (std::size_t i = 0; i < values.size(); ++i) values[i] = samples.joints[j].degrees[i][axis];
-          CurveFit one = fit_curve(samples.times, values, options);
+          CurveFit one = fit_curve(tables, samples.times, values, options);
           fit.curves[3 * j + axis] = {
               j, axis, one.curve.segments(), one.curve.degree(), one.rms_error, one.largest_error};
           curves.angles[axis] = std::move(one.curve);
@@ -40,7 +42,7 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
   if (options.tolerance) lengths.tolerance = root_tolerance(motion.skeleton, *options.tolerance);
   lengths.resolution = root_tolerance(motion.skeleton, options.resolution);
   for (int axis = 0; axis < 3; ++axis) {
-    CurveFit one = fit_curve(samples.times, samples.root[axis], lengths);
+    CurveFit one = fit_curve(tables, samples.times, samples.root[axis], lengths);
     fit.root_error = std::max(fit.root_error, one.largest_error);
     fit.clip.root[axis] = std::move(one.curve);
   }

@@ -10,6 +10,8 @@ namespace {
 
 constexpr int band = 3;  ///< the order of the differences
 constexpr double parameter_price = 1.2;
+/// Samples: the penalty is the sixth power of a wave's length, and beyond this one too much of the sums' digits.
+constexpr double longest_wave = 250.0;
 constexpr std::array<double, band + 1> difference{-1.0, 3.0, -3.0, 1.0};
 
 /// A symmetric banded matrix's diagonal and what stands `band` places to the right of it, row by row.
@@ -83,7 +85,7 @@ SmoothedSamples smooth_samples(std::span<const double> samples, double resolutio
   const auto count = static_cast<double>(n);
   const std::vector<Row> squared = squared_differences(n);
   double best_score = INFINITY;
-  for (double period = 2.0; period <= 2.0 * count; period *= 1.3) {
+  for (double period = 2.0; period <= std::min(2.0 * count, longest_wave); period *= 1.3) {
     // Differences of order three damp a wave of this period to half.
     const double penalty = std::pow(2.0 * std::sin(std::numbers::pi / period), -2.0 * band);
     const std::vector<Row> factor = factorised(squared, penalty);

@@ -17,8 +17,8 @@ struct SmoothedSamples {
 
 /// Minimises |z - y|^2 + penalty |D z|^2, D the third differences (Whittaker 1923), the penalty by generalised
 /// cross-validation (Craven and Wahba 1979) with each parameter counted 1.2 times (Kim and Gu 2004) over waves from two
-/// samples to twice the row. Linear time in the samples (Hutchinson and de Hoog 1985). Residuals below `resolution` are
-/// never worth a parameter. Rows under 8 samples stay as they are.
+/// samples to twice the row, at most 250. Linear time in the samples (Hutchinson and de Hoog 1985). Residuals below
+/// `resolution` are never worth a parameter. Rows under 8 samples stay as they are.
 SmoothedSamples smooth_samples(std::span<const double> samples, double resolution);
 
 }  // namespace sinew

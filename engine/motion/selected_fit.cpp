@@ -1,6 +1,7 @@
 #include "engine/motion/selected_fit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/motion/curve_cuts.h"
 #include "engine/motion/sample_smoothing.h"
@@ -10,15 +11,23 @@ namespace sinew {
 namespace {
 
 /// A largest error of this share of the standard error adds next to nothing to it.
-constexpr double followed_share = 0.5;
+constexpr double followed_share = 0.3;
 
 }  // namespace
 
-PiecewisePolynomial fit_selected(std::span<const double> times, std::span<const double> values, int highest_degree,
+PiecewisePolynomial fit_selected(SegmentTables& tables, const EvenSamples& samples, int highest_degree,
                                  double resolution) {
-  const SmoothedSamples smooth = smooth_samples(values, resolution);
-  SmoothFitter fitter(times, smooth.values);
-  return fit_within(fitter, std::max(followed_share * smooth.standard_error(), resolution), highest_degree);
+  const SmoothedSamples smooth = smooth_samples(samples.values, resolution);
+  const double tolerance = std::max(followed_share * smooth.standard_error(), resolution);
+  const EvenSamples smoothed{samples.begin, samples.spacing, smooth.values};
+  const PiecewisePolynomial within = fit_within(tables, smoothed, tolerance, highest_degree);
+  if (within.segments() == 1) return within;
+  // What counts here is the mean error, not the largest.
+  Segmentation segmentation;
+  for (const double cut : within.cuts)
+    segmentation.cuts.push_back(static_cast<std::size_t>(std::llround((cut - samples.begin) / samples.spacing)));
+  for (const auto& segment : within.coefficients) segmentation.degrees.push_back(static_cast<int>(segment.size()) - 1);
+  return fit_smooth(tables, smoothed, segmentation);
 }
 
 std::vector<std::size_t> cuts_for(std::span<const double> values, std::size_t segments, double resolution) {

@@ -8,7 +8,7 @@ namespace sinew {
 /// A curve that resists noise: the samples are smoothed (smooth_samples), and the curve follows what is left within a
 /// share of its own standard error, or within `resolution` where that is more, with as few segments as this takes,
 /// degrees up to `highest_degree`, 3 to 8.
-PiecewisePolynomial fit_selected(std::span<const double> times, std::span<const double> values, int highest_degree,
+PiecewisePolynomial fit_selected(SegmentTables& tables, const EvenSamples& samples, int highest_degree,
                                  double resolution);
 
 /// Cuts that make so many segments, at the most prominent extrema of the smoothed samples, then halving the longest

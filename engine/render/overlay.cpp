@@ -117,6 +117,7 @@ Result<void> draw_overlay(Picture& picture, const Font* font, const Viewpoint& v
   if (content.box) painter.box(*content.box);
   for (const SkeletonOverlay& skeleton : content.skeletons) painter.skeleton(skeleton);
   for (const MuscleOverlay& muscle : content.muscles) painter.muscle(muscle);
+  for (const FaceOverlay& face : content.faces) painter.face(face);
   if (content.axes) painter.axes();
   painter.draw_labels();
   return {};

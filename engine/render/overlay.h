@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/deform/muscle_region.h"
+#include "engine/render/face_overlay.h"
 #include "engine/render/text.h"
 #include "engine/render/viewpoint.h"
 
@@ -54,6 +55,7 @@ MuscleOverlay posed_muscle(const Muscle& muscle, const MuscleRegion& region, con
 struct OverlayContent {
   std::vector<SkeletonOverlay> skeletons;
   std::vector<MuscleOverlay> muscles;
+  std::vector<FaceOverlay> faces;
   std::optional<Bounds> box;  ///< with the lengths of its sides
   bool axes = false;          ///< the world's axes in the lower left corner
 };

@@ -48,6 +48,10 @@ class OverlayPainter {
   void muscle_points(const MuscleOverlay& muscle, double pixels_across);
   void muscle_feet(const MuscleOverlay& muscle, double dot);
   void muscle_gaussian(const MuscleOverlay& muscle, double bold);
+  void face(const FaceOverlay& face);
+  void face_guide(const FaceGuideLine& guide);
+  void face_region(const FaceRegionOverlay& region);
+  void face_cuts(std::span<const SurfaceCut> cuts, const Colour& colour, double width);
   void box(const Bounds& box);
   void axes();
 

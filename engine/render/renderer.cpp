@@ -5,6 +5,7 @@
 #include "engine/deform/rigid_split.h"
 #include "engine/render/draw_pipelines.h"
 #include "engine/render/layers.h"
+#include "engine/render/renderer_image.h"
 #include "engine/render/shadow_maps.h"
 #include "engine/render/studio.h"
 #include "engine/render/wire.h"
@@ -92,6 +93,7 @@ struct Renderer::Impl {
   std::vector<Character> characters;
 
   void create(const RendererOptions& options);
+  void set_size(int width, int height, vk::SampleCountFlagBits samples);
   void write_frame_set(vk::DescriptorSet set, const vk::DescriptorImageInfo& contact) const;
   void add(const Model& model, const CharacterMesh& mesh, GpuDeformer deformer,
            std::span<const std::uint32_t> triangles, std::span<const RigidDuplicate> duplicates,
@@ -110,8 +112,7 @@ struct Renderer::Impl {
 void Renderer::Impl::create(const RendererOptions& options) {
   const auto samples = options.samples == 4 ? vk::SampleCountFlagBits::e4 : vk::SampleCountFlagBits::e1;
   wire_mode = options.wire;
-  target =
-      Target::create(*vulkan, static_cast<uint32_t>(options.width), static_cast<uint32_t>(options.height), samples);
+  set_size(options.width, options.height, samples);
   frame_buffer =
       vulkan->create_buffer(sizeof(layout::FrameUniforms), vk::BufferUsageFlagBits::eUniformBuffer, MemoryUse::upload);
   layouts = DrawLayouts::create(*vulkan);
@@ -127,6 +128,11 @@ void Renderer::Impl::create(const RendererOptions& options) {
                   {*shadow_maps.reading, *shadow_maps.contact.image.view, vk::ImageLayout::eDepthReadOnlyOptimal});
   write_frame_set(floor_set,
                   {*shadow_maps.smooth, *shadow_maps.shade.image.view, vk::ImageLayout::eShaderReadOnlyOptimal});
+}
+
+void Renderer::Impl::set_size(int width, int height, vk::SampleCountFlagBits samples) {
+  target = Target::create(*vulkan, static_cast<uint32_t>(width), static_cast<uint32_t>(height), samples);
+  if (layers) layers = TransparentLayers::create(*vulkan, target, layouts.layers);
 }
 
 void Renderer::Impl::write_frame_set(vk::DescriptorSet set, const vk::DescriptorImageInfo& contact) const {
@@ -271,13 +277,20 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-Result<Renderer> Renderer::create(Device& device, const RendererOptions& options) {
-  const vk::PhysicalDeviceLimits& limits = device.vulkan().limits;
+namespace {
+
+Result<void> check_size(const vk::PhysicalDeviceLimits& limits, int width, int height) {
   const auto largest =
       static_cast<int>(std::min({limits.maxFramebufferWidth, limits.maxFramebufferHeight, limits.maxImageDimension2D}));
-  if (options.width > largest || options.height > largest)
-    return bad_input("--size {}x{}: this device makes pictures of up to {}x{}", options.width, options.height, largest,
-                     largest);
+  if (width <= largest && height <= largest) return {};
+  return bad_input("--size {}x{}: this device makes pictures of up to {}x{}", width, height, largest, largest);
+}
+
+}  // namespace
+
+Result<Renderer> Renderer::create(Device& device, const RendererOptions& options) {
+  const vk::PhysicalDeviceLimits& limits = device.vulkan().limits;
+  if (auto ok = check_size(limits, options.width, options.height); !ok) return pass_on(std::move(ok));
   const auto counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts;
   if (options.samples == 4 && (!(counts & vk::SampleCountFlagBits::e4) || !device.vulkan().sample_shading))
     return bad_input("--samples 4: this device draws with 1 sample only");
@@ -317,6 +330,25 @@ Result<Picture> Renderer::draw(const Shot& shot) {
   if (!done) return pass_on(std::move(done));
   return picture();
 }
+
+Result<void> Renderer::draw_for_window(const Shot& shot) {
+  return vulkan_call("drawing", [&] {
+    impl_->set_shot(shot);
+    impl_->vulkan->run([&](vk::raii::CommandBuffer& commands) {
+      impl_->record_deform(commands);
+      deform_barrier(commands);
+      impl_->record_draw(commands, shot);
+      make_colour_copyable(commands, impl_->target.colour);
+    });
+  });
+}
+
+Result<void> Renderer::resize(int width, int height) {
+  if (auto ok = check_size(impl_->vulkan->limits, width, height); !ok) return ok;
+  return vulkan_call("making the picture", [&] { impl_->set_size(width, height, impl_->target.samples); });
+}
+
+const DeviceImage& picture_image(const Renderer& renderer) { return renderer.impl_->target.colour; }
 
 Result<void> Renderer::deform() {
   return vulkan_call("deforming", [&] {

@@ -14,6 +14,8 @@
 
 namespace sinew {
 
+struct DeviceImage;
+
 struct RendererOptions {
   int width = 1280, height = 720;
   int samples = 1;  ///< 1 or 4
@@ -58,6 +60,11 @@ class Renderer {
   /// Deforms every character, draws and reads back, in one submit.
   Result<Picture> draw(const Shot& shot);
 
+  /// Deforms every character and draws, in one submit, into the image that a window shows (render/renderer_image.h).
+  Result<void> draw_for_window(const Shot& shot);
+  /// Draws pictures of another size from now on. Fails as create() does, and then stays as it is.
+  Result<void> resize(int width, int height);
+
   /// The same in separate submits, for benchmarks.
   Result<void> deform();
   Result<void> draw_only(const Shot& shot);
@@ -66,6 +73,7 @@ class Renderer {
 
  private:
   struct Impl;
+  friend const DeviceImage& picture_image(const Renderer& renderer);
   explicit Renderer(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

@@ -180,21 +180,27 @@ Result<Font> Font::open(const std::filesystem::path& file) {
   return Font(std::move(impl));
 }
 
-Result<Font> Font::find() {
+Result<std::filesystem::path> Font::find_file() {
   if (const char* chosen = std::getenv("SINEW_FONT"); chosen != nullptr && *chosen != '\0') {
     auto font = open(chosen);
-    if (!font) font.error().message += " (SINEW_FONT names it)";
-    return font;
+    if (font) return chosen;
+    font.error().message += " (SINEW_FONT names it)";
+    return pass_on(std::move(font));
   }
   for (const char* file : known_fonts) {
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) continue;
-    if (auto font = open(file)) return font;
+    if (std::filesystem::exists(file, ignored) && open(file)) return file;
   }
   return failure(
       ErrorKind::cannot_write,
       "no font for labels: install DejaVu Sans (Debian: apt-get install fonts-dejavu-core) or Liberation Sans, "
       "or let SINEW_FONT name a TrueType or OpenType file");
+}
+
+Result<Font> Font::find() {
+  auto file = find_file();
+  if (!file) return pass_on(std::move(file));
+  return open(*file);
 }
 
 FontMetrics Font::metrics(double size) const {

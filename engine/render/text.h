@@ -25,6 +25,8 @@ class Font {
   /// The file that SINEW_FONT names, else DejaVu Sans or Liberation Sans where distributions keep them. Fails as
   /// bad_input where SINEW_FONT names no font, as cannot_write where there is none: the message says what to install.
   static Result<Font> find();
+  /// Its name alone. Fails as find() does.
+  static Result<std::filesystem::path> find_file();
 
   /// A TrueType, OpenType or Type 1 file. Fails as bad_input.
   static Result<Font> open(const std::filesystem::path& file);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/core/text.h"
+
 namespace sinew {
 namespace {
 
@@ -62,7 +64,28 @@ class Sampler {
   bool between_ = false;
 };
 
+std::vector<std::string> clip_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Clip& clip : model.clips) names.push_back(clip.name);
+  return names;
+}
+
 }  // namespace
+
+Result<int> find_clip(const Model& model, const ClipChoice& choice) {
+  if (std::holds_alternative<NoClip>(choice)) return -1;
+  const std::vector<std::string> names = clip_names(model);
+  if (const int* index = std::get_if<int>(&choice)) {
+    if (*index < static_cast<int>(names.size())) return *index;
+    return bad_input("{}: has no clip {}; it has {} ({})", model.file, *index, names.size(), fmt::join(names, ", "));
+  }
+  const std::string& name = std::get<std::string>(choice);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return static_cast<int>(i);
+  if (names.empty()) return bad_input("{}: has no clip \"{}\"; it has none at all", model.file, name);
+  return bad_input("{}: has no clip \"{}\"{}; it has {} ({})", model.file, name, did_you_mean(name, names),
+                   names.size(), fmt::join(names, ", "));
+}
 
 void sample_clip(const Clip& clip, double seconds, Pose& pose) {
   for (const Channel& channel : clip.channels) {

@@ -1,5 +1,6 @@
 /// Scenes with faces: what is shown, what is refused and what is reported.
 
+#include "engine/core/math.h"
 #include "tests/support/program.h"
 
 namespace sinew::test {

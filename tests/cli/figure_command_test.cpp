@@ -40,6 +40,23 @@ TEST_F(FigureCommand, TheSameWordsGiveTheSameBytes) {
   EXPECT_EQ(read("one.glb"), read("other.glb"));
 }
 
+TEST_F(FigureCommand, WearsAHeadByAgeOrByMeasures) {
+  const nlohmann::json made = json({"figure", "--like", "woman", "--head", "young", "-o", "actor.glb"});
+  EXPECT_NEAR(made.at("height").get<double>(), 1.63, 1e-6);
+  const nlohmann::json info = json({"info", "actor.glb"});
+  EXPECT_EQ(info.at("vertices"), made.at("vertices"));
+  EXPECT_EQ(info.at("morph_targets"), 111);
+  EXPECT_EQ(info.at("muscles").size(), 4u);
+  EXPECT_EQ(json({"parity", "actor.glb", "--pose", "head=0,40,0"}).at("pass"), true);
+  ASSERT_EQ(run({"head", "--age", "young", "--save-measures", "young.json", "-o", "head.glb"}).exit_code, 0);
+  ASSERT_EQ(run({"figure", "--like", "woman", "--head", "young.json", "-o", "by_file.glb"}).exit_code, 0);
+  EXPECT_EQ(read("actor.glb"), read("by_file.glb"));
+  const ProgramResult odd = run({"figure", "--head", "elderly", "-o", "x.glb"});
+  EXPECT_EQ(odd.exit_code, 3) << odd;
+  EXPECT_NE(odd.err.find("--head elderly"), std::string::npos) << odd;
+  EXPECT_NE(odd.err.find("infant"), std::string::npos) << odd;
+}
+
 TEST_F(FigureCommand, OddOptionsAreWrongUsageAndNamed) {
   const std::vector<std::pair<Arguments, std::string>> odd{
       {{"--sex", "2"}, "--sex"},           {{"--sex", "nan"}, "--sex"},        {{"--height", "-1"}, "--height"},

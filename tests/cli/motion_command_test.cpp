@@ -35,6 +35,19 @@ class MotionCommand : public ProgramTest {
   int code(const Arguments& arguments) const { return run(with_library(arguments)).exit_code; }
 };
 
+TEST_F(MotionCommand, TheDegreesFollowFromTheSkin) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  motion({"import", (assets / "motions/cmu_asfamc/02_01.amc").string(), "--name", "walk"});
+  const Json wide = motion({"fit", "walk", "--tolerance", "1"});
+  EXPECT_GT(wide["skin_error_mm"].get<double>(), 5.0);
+  const Json fit = motion({"fit", "walk", "--skin-tolerance", "5"});
+  EXPECT_LE(fit["skin_error_mm"].get<double>(), 5.0);
+  // Not far below: what is not needed is not stored.
+  EXPECT_GT(fit["skin_error_mm"].get<double>(), 2.0);
+  EXPECT_GT(fit["stored_numbers"].get<int>(), wide["stored_numbers"].get<int>());
+  EXPECT_EQ(code({"fit", "walk", "--skin-tolerance", "0"}), 2);
+}
+
 TEST_F(MotionCommand, GoesFromAFileToAPlot) {
   const Json imported = motion({"import", "nod.bvh", "--tag", "head", "--emotion", "laugh"});
   EXPECT_EQ(imported["clips"], Json({"nod"}));

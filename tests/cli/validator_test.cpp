@@ -118,7 +118,28 @@ TEST_F(Validator, HasNothingToSayAboutHeads) {
     const ProgramResult result = run(arguments);
     ASSERT_EQ(result.exit_code, 0) << result;
   }
+  files.push_back(path("actor.glb"));
+  ASSERT_EQ(run({"figure", "--head", "adult", "-o", files.back()}).exit_code, 0);
   const Verdict verdict = validate(files);
+  EXPECT_EQ(verdict.exit_code, 0) << verdict.said;
+}
+
+TEST_F(Validator, HasNothingToSayAboutMotions) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  VALIDATOR_OR_SKIP();
+  const auto motion = [&](Arguments words) {
+    words.insert(words.begin(), "motion");
+    words.insert(words.end(), {"--library", path("motions.db")});
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.exit_code, 0) << result;
+  };
+  motion({"import", (assets / "motions/cmu_asfamc/02_01.amc").string(), "--name", "walk"});
+  motion({"fit", "walk", "--tolerance", "0.5"});
+  motion({"export", "walk", "--model", "builtin:woman", "-o", path("walk.glb")});
+  motion({"export", "walk", "-o", path("walk.vrma")});
+  // The validator knows a file by its name's end.
+  fs::copy_file(path("walk.vrma"), path("walk_vrma.glb"));
+  const Verdict verdict = validate({path("walk.glb"), path("walk_vrma.glb")});
   EXPECT_EQ(verdict.exit_code, 0) << verdict.said;
 }
 

@@ -33,6 +33,29 @@ TEST(Head, AllAgesAndSkullsShareVerticesAndTriangles) {
     }
 }
 
+TEST(Head, BlushesOutsideAndDarkensInside) {
+  for (const std::string& age : {std::string("adult"), std::string("infant")}) {
+    const Head& head = head_of(age);
+    ASSERT_EQ(head.blush.size(), head.positions.size());
+    ASSERT_EQ(head.gloom.size(), head.positions.size());
+    double brightest_tooth = 1.0, darkest_tooth = 0.0;
+    for (const HeadTriangle& t : head.triangles)
+      for (const std::uint32_t v : t.corners) {
+        for (const double share : {head.blush[v], head.gloom[v]}) EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+        EXPECT_EQ(head.gloom[v], head.gloom[head.mirror[v]]);
+        EXPECT_EQ(head.blush[v], head.blush[head.mirror[v]]);
+        if (t.material == HeadMaterial::skin) {
+          EXPECT_EQ(head.gloom[v], 0.0);
+        }
+        if (t.material != HeadMaterial::teeth) continue;
+        brightest_tooth = std::min(brightest_tooth, head.gloom[v]);
+        darkest_tooth = std::max(darkest_tooth, head.gloom[v]);
+      }
+    EXPECT_EQ(brightest_tooth, 0.0) << "front teeth are as bright as teeth are";
+    EXPECT_GT(darkest_tooth, 0.95) << "the last ones lie in the dark";
+  }
+}
+
 TEST(Head, IsSymmetricToTheBit) {
   for (const std::string& age : {std::string("adult"), std::string("infant")}) {
     const Head& head = head_of(age);

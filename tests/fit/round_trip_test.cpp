@@ -12,11 +12,11 @@
 namespace sinew::test {
 namespace {
 
-RoundTripReport round_trip(const Model& model, const RoundTripOptions& options) {
+FitReport round_trip(const Model& model, const RoundTripOptions& options) {
   Model rest = model;
   const auto report = fit_round_trip(model, options, rest);
   EXPECT_TRUE(report) << report.error().message;
-  return report ? *report : RoundTripReport{};
+  return report ? *report : FitReport{};
 }
 
 void record(const std::string& name, double value) {
@@ -27,7 +27,7 @@ void record(const std::string& name, double value) {
 void expect_found(const Model& model) {
   RoundTripOptions options;
   options.test_poses = 10;
-  const RoundTripReport clean = round_trip(model, options);
+  const FitReport clean = round_trip(model, options);
   record("vertices", static_cast<double>(clean.vertices));
   record("bones", static_cast<double>(clean.bones));
   record("clean_share_of_height", clean.rmse / clean.height);
@@ -36,7 +36,7 @@ void expect_found(const Model& model) {
   EXPECT_LE(clean.rmse, 1e-4 * clean.height);
   EXPECT_LE(clean.max_influences, 4u);
   options.noise = 1.0;
-  const RoundTripReport noisy = round_trip(model, options);
+  const FitReport noisy = round_trip(model, options);
   record("noise_seen", noisy.noise);
   record("noisy_test_rmse", noisy.test_rmse);
   record("noisy_microseconds_a_vertex", 1e3 * noisy.milliseconds / static_cast<double>(noisy.vertices));
@@ -44,7 +44,7 @@ void expect_found(const Model& model) {
   options.method = FitMethod::paper;
   record("paper_noisy_test_rmse", round_trip(model, options).test_rmse);
   options.noise = 0.0;
-  const RoundTripReport paper = round_trip(model, options);
+  const FitReport paper = round_trip(model, options);
   record("paper_clean_share_of_height", paper.rmse / paper.height);
   record("paper_clean_test_share_of_height", paper.test_rmse / paper.height);
 }

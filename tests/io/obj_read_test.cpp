@@ -7,7 +7,7 @@
 namespace sinew::test {
 namespace {
 
-Result<ObjMesh> read(const std::string& text) {
+Result<PolygonMesh> read(const std::string& text) {
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) /
       (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".obj");
@@ -18,7 +18,7 @@ Result<ObjMesh> read(const std::string& text) {
 }
 
 TEST(ObjRead, PlacesAndPolygons) {
-  const ObjMesh mesh = read("# a square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nv 0 1 -2.5\nf 1/1/1 2/1 3//1 -1\n").value();
+  const PolygonMesh mesh = read("# a square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nv 0 1 -2.5\nf 1/1/1 2/1 3//1 -1\n").value();
   ASSERT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(mesh.positions[3], Vec3(0, 1, -2.5));
   ASSERT_EQ(mesh.polygons.size(), 1u);

@@ -159,6 +159,7 @@ TEST_F(SceneSchema, RefusesWhatTheReaderRefuses) {
            {with_top(R"("camera": {"orbit": "90"})"), "/camera/orbit"},
            {with_top(R"("camera": {"target": [0, 1]})"), "/camera/target"},
            {with_top(R"("camera": {"distance": 0})"), "/camera/distance"},
+      {with_top(R"("camera": {"elevation": 91})"), "/camera/elevation"},
            {with_top(R"("camera": {"distance": [[0, 1], [1, -1]]})"), "/camera/distance/1/1"},
            {with_top(R"("look": {"shading": "shiny"})"), "/look/shading"},
            {with_top(R"("look": {"background": "pink"})"), "/look/background"},

@@ -1,0 +1,28 @@
+#pragma once
+/// Landmarks of a head for which nobody has named any: from its profile, its eyes and its mouth, and where it has no
+/// features by Loomis' proportions.
+
+#include <string>
+#include <vector>
+
+#include "engine/face/landmarks.h"
+#include "engine/model/character_mesh.h"
+
+namespace sinew {
+
+/// Where a head is: its own axes, and which vertices belong to it.
+struct HeadSite {
+  Mat3 axes{1.0};            ///< its left, its up, its front
+  std::vector<bool> inside;  ///< [vertices of the mesh]
+};
+
+struct FoundLandmarks {
+  Landmarks marks;                 ///< in the space of `mesh.positions`
+  std::vector<std::string> notes;  ///< which were found by which feature, for people
+};
+
+/// `mesh`: at rest. Fails as bad_input where there is no head to be seen: too few vertices, or no profile. `name`: the
+/// model's, for messages.
+Result<FoundLandmarks> find_landmarks(const CharacterMesh& mesh, const HeadSite& site, const std::string& name);
+
+}  // namespace sinew

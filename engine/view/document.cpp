@@ -1,0 +1,178 @@
+#include "engine/view/document.h"
+
+#include <algorithm>
+
+#include "engine/core/files.h"
+#include "engine/io/scene_file.h"
+
+namespace sinew {
+namespace {
+
+/// What differs between two scenes, at most.
+Touched touched(const Scene& a, const Scene& b) {
+  if (a.look.joint != b.look.joint || a.look.shading != b.look.shading) return Touched::all;
+  if (a.fps != b.fps || a.frames != b.frames || a.characters.size() != b.characters.size()) return Touched::all;
+  Touched most = Touched::look;
+  for (std::size_t i = 0; i < a.characters.size(); ++i) {
+    if (a.characters[i] == b.characters[i]) continue;
+    Character one = a.characters[i];
+    one.keys = b.characters[i].keys;
+    one.expressions = b.characters[i].expressions;
+    one.regions = b.characters[i].regions;
+    one.position = b.characters[i].position;
+    one.turn = b.characters[i].turn;
+    if (!(one == b.characters[i])) return Touched::all;
+    most = Touched::poses;
+  }
+  return most;
+}
+
+auto key_at(Keyed<Vec3>& track, double frame) { return std::ranges::find(track.keys, frame, &Key<Vec3>::frame); }
+
+/// Text that a shell takes as one word.
+std::string quoted(const std::string& text) {
+  const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || std::string_view("._-/:,=+#").find(c) != std::string::npos;
+  });
+  if (plain && text[0] != '#') return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+Result<Document> Document::create(Stage stage, const SceneOptions& options) {
+  auto scene = spelled_out_scene(stage);
+  if (!scene) return pass_on(std::move(scene));
+  Document document(std::move(stage), options);
+  // --pose and --clip are the scene's own from here on, or no edit could change them.
+  for (const PoseOption& pose : options.poses)
+    for (Character& character : scene->characters) {
+      const std::size_t i = static_cast<std::size_t>(&character - scene->characters.data());
+      const StagedCharacter& staged = document.stage_.characters[i];
+      if (find_joint(*staged.model, staged.humanoid, pose.joint))
+        character.keys[pose.joint] = Keyed<Vec3>::constant(pose.degrees);
+    }
+  if (options.clip)
+    for (Character& character : scene->characters) character.clip = *options.clip;
+  document.options_.poses.clear();
+  document.options_.clip.reset();
+  if (auto ok = restage(document.stage_, *scene, document.options_); !ok) return pass_on(std::move(ok));
+  return document;
+}
+
+Result<Touched> Document::show(const Scene& scene) {
+  const Touched what = touched(stage_.scene, scene);
+  if (what == Touched::look) {
+    stage_.scene = scene;
+    return what;
+  }
+  if (auto ok = restage(stage_, scene, options_); !ok) return pass_on(std::move(ok));
+  return what;
+}
+
+Result<Touched> Document::edit(Scene scene, std::string label, const std::string& merge) {
+  if (scene == stage_.scene) return Touched::look;
+  Scene before = stage_.scene;
+  auto what = show(scene);
+  if (!what) return what;
+  const bool merges = !merge.empty() && merge == merging_ && done_ > 0 && done_ == edits_.size() && done_ != saved_at_;
+  if (saved_at_ > done_) saved_at_ = static_cast<std::size_t>(-1);  // what was saved can no longer be come back to
+  edits_.resize(done_);
+  if (merges)
+    edits_.back().after = std::move(scene);
+  else
+    edits_.push_back({std::move(label), std::move(before), std::move(scene)});
+  done_ = edits_.size();
+  merging_ = merge;
+  return what;
+}
+
+void Document::move_camera(const Camera& camera) { stage_.scene.camera = camera; }
+
+void Document::set_options(Deformer deformer, BulgeMode bulge, double strength) {
+  options_.deformer = deformer;
+  options_.bulge = bulge;
+  options_.strength = stage_.strength = strength;
+}
+
+Result<Touched> Document::undo() {
+  if (!can_undo()) return Touched::look;
+  Scene scene = edits_[done_ - 1].before;
+  scene.camera = stage_.scene.camera;
+  auto what = show(scene);
+  if (what) --done_, merging_.clear();
+  return what;
+}
+
+Result<Touched> Document::redo() {
+  if (!can_redo()) return Touched::look;
+  Scene scene = edits_[done_].after;
+  scene.camera = stage_.scene.camera;
+  auto what = show(scene);
+  if (what) ++done_, merging_.clear();
+  return what;
+}
+
+Result<void> Document::save(const std::filesystem::path& file) {
+  if (auto ok = write_file(file, scene_text(stage_.scene, file.parent_path())); !ok) return ok;
+  saved_at_ = done_;
+  merging_.clear();
+  return {};
+}
+
+void set_joint_degrees(Character& character, const std::string& joint, double frame, const Vec3& degrees) {
+  const auto [track, is_new] = character.keys.try_emplace(joint, Keyed<Vec3>::constant(degrees));
+  if (is_new) return;
+  Keyed<Vec3>& keyed = track->second;
+  if (keyed.is_constant()) {
+    keyed.keys.front().value = degrees;
+    return;
+  }
+  if (const auto key = key_at(keyed, frame); key != keyed.keys.end()) {
+    key->value = degrees;
+    return;
+  }
+  const auto next = std::ranges::lower_bound(keyed.keys, frame, {}, &Key<Vec3>::frame);
+  keyed.keys.insert(next, {frame, degrees});
+}
+
+Vec3 joint_degrees(const Character& character, const std::string& joint, double frame) {
+  const auto track = character.keys.find(joint);
+  return track == character.keys.end() ? Vec3(0.0) : track->second.value_at(frame);
+}
+
+void add_joint_key(Character& character, const std::string& joint, double frame) {
+  const auto [track, is_new] = character.keys.try_emplace(joint, Keyed<Vec3>::constant(Vec3(0.0)));
+  Keyed<Vec3>& keyed = track->second;
+  if (is_new) {
+    keyed.keys.front().frame = frame;
+    return;
+  }
+  if (key_at(keyed, frame) != keyed.keys.end()) return;
+  const Vec3 value = keyed.value_at(frame);
+  const auto next = std::ranges::lower_bound(keyed.keys, frame, {}, &Key<Vec3>::frame);
+  keyed.keys.insert(next, {frame, value});
+}
+
+void remove_joint_key(Character& character, const std::string& joint, double frame) {
+  const auto track = character.keys.find(joint);
+  if (track == character.keys.end()) return;
+  const auto key = key_at(track->second, frame);
+  if (key == track->second.keys.end()) return;
+  track->second.keys.erase(key);
+  if (track->second.keys.empty()) character.keys.erase(track);
+}
+
+std::string render_command(const Document& document, const std::string& scene_file, int frame, int width, int height) {
+  const SceneOptions& options = document.options();
+  std::string text = "sinew render " + quoted(scene_file);
+  if (options.deformer != Deformer::ssd) text += fmt::format(" --deformer {}", deformer_name(options.deformer));
+  if (options.bulge != BulgeMode::on) text += fmt::format(" --bulge {}", bulge_name(options.bulge));
+  if (options.strength != 1.0) text += fmt::format(" --strength {}", options.strength);
+  if (!options.library.empty()) text += " --library " + quoted(options.library.string());
+  return text + fmt::format(" --frame {} --size {}x{} -o picture.png", frame, width, height);
+}
+
+}  // namespace sinew

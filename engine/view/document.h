@@ -1,0 +1,79 @@
+#pragma once
+/// The scene that a viewer shows and edits, with every edit remembered. No Vulkan here.
+
+#include <string>
+#include <vector>
+
+#include "engine/app/stage.h"
+
+namespace sinew {
+
+/// What an edit touched, and so what has to be made anew to show it.
+enum class Touched {
+  look,   ///< camera and look alone
+  poses,  ///< joints' keys: the stage's bounds, nothing on the device
+  all,    ///< characters, muscles, clips: everything on the device
+};
+
+class Document {
+ public:
+  /// Spells out what a bare model has by default. Fails as spelled_out_scene() does.
+  static Result<Document> create(Stage stage, const SceneOptions& options);
+
+  const Scene& scene() const { return stage_.scene; }
+  const Stage& stage() const { return stage_; }
+  const SceneOptions& options() const { return options_; }
+
+  /// Shows another scene. Edits of the same non-empty `merge` in a row, such as those of one slider being dragged, are
+  /// undone together. Fails as restage() does, and then nothing has changed.
+  Result<Touched> edit(Scene scene, std::string label, const std::string& merge = "");
+  /// Ends a run of edits that merge.
+  void seal() { merging_.clear(); }
+  /// Moves the camera: saved with the scene, not undone.
+  void move_camera(const Camera& camera);
+
+  bool can_undo() const { return done_ > 0; }
+  bool can_redo() const { return done_ < edits_.size(); }
+  /// What undo() and redo() would take back and do again; empty where there is nothing.
+  std::string undo_label() const { return can_undo() ? edits_[done_ - 1].label : ""; }
+  std::string redo_label() const { return can_redo() ? edits_[done_].label : ""; }
+  Result<Touched> undo();
+  Result<Touched> redo();
+
+  /// Another deformer, bulge mode or strength, which no scene holds: not undone. Everything is to be made anew.
+  void set_options(Deformer deformer, BulgeMode bulge, double strength);
+
+  /// True where the scene is not what was last saved or opened; the camera does not count.
+  bool is_changed() const { return done_ != saved_at_; }
+  /// Writes the scene file. Fails as cannot_write.
+  Result<void> save(const std::filesystem::path& file);
+
+ private:
+  struct Edit {
+    std::string label;
+    Scene before, after;
+  };
+  Document(Stage stage, SceneOptions options) : stage_(std::move(stage)), options_(std::move(options)) {}
+  Result<Touched> show(const Scene& scene);
+
+  Stage stage_;
+  SceneOptions options_;
+  std::vector<Edit> edits_;
+  std::size_t done_ = 0;      ///< edits that are in force
+  std::size_t saved_at_ = 0;  ///< value of done_ when the file was written
+  std::string merging_;
+};
+
+/// Sets a joint's angles at a frame: the one value of a joint that rests, else a key there, between keys of its own.
+void set_joint_degrees(Character& character, const std::string& joint, double frame, const Vec3& degrees);
+/// The angles that the keys give it; zeros without any.
+Vec3 joint_degrees(const Character& character, const std::string& joint, double frame);
+/// Makes the value at a frame a key, so that others can differ from it.
+void add_joint_key(Character& character, const std::string& joint, double frame);
+/// Takes the key at a frame away; the last one takes the joint's track with it.
+void remove_joint_key(Character& character, const std::string& joint, double frame);
+
+/// The command line that renders what the viewer shows.
+std::string render_command(const Document& document, const std::string& scene_file, int frame, int width, int height);
+
+}  // namespace sinew

@@ -1,0 +1,17 @@
+#pragma once
+/// The sections of the viewer's panels. ImGui's calls inside.
+
+#include "engine/view/panels.h"
+
+namespace sinew {
+
+void draw_look(const Document& document, ViewState& state);
+void draw_deformer(const Document& document, ViewState& state);
+void draw_muscles(const Document& document, ViewState& state);
+void draw_pose(const Document& document, ViewState& state);
+void draw_time(const Document& document, ViewState& state);
+
+/// Explains the item before it to a pointer that rests on it.
+void show_tip(const std::string& text);
+
+}  // namespace sinew

@@ -1,0 +1,62 @@
+#pragma once
+/// The viewer's panels, over the picture. They read and change a ViewState; what they ask for is carried out after the
+/// frame.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/gpu/device.h"
+#include "engine/view/document.h"
+#include "engine/view/playback.h"
+
+namespace sinew {
+
+/// What the panels show and what the user did in them.
+struct ViewState {
+  Playback playback;
+  std::string joint;          ///< ListedJoint::name of the joint that is chosen; empty: none
+  std::size_t character = 0;  ///< whose
+  std::string filter;         ///< joints whose names hold this
+  bool panels = true;         ///< shown; Tab hides them
+  bool help = false;
+  std::string file;     ///< what is open
+  std::string save_as;  ///< name in the save field
+  std::string message;  ///< of the last thing done, or what went wrong
+  bool is_error = false;
+  std::string device;  ///< name, and that it is a CPU
+  double frames_a_second = 0.0;
+
+  /// An edit of the scene that a panel made.
+  struct Edit {
+    Scene scene;
+    std::string label, merge;
+  };
+  std::optional<Edit> edit;
+  bool edit_ended = false;  ///< the slider was let go
+  bool undo = false, redo = false, save = false, copy_command = false, screenshot = false, frame_all = false,
+       close = false;
+  std::optional<View> view;             ///< one of the standard views was asked for
+  std::optional<SceneOptions> options;  ///< deformer, bulge or strength were changed
+  std::optional<std::string> open;      ///< another file
+
+  void ask(Scene scene, std::string label, std::string merge = "") {
+    edit = Edit{std::move(scene), std::move(label), std::move(merge)};
+  }
+};
+
+/// Colours and spacing of the interface.
+void set_style();
+
+/// Draws all panels for this frame.
+void draw_panels(const Document& document, ViewState& state);
+
+/// Joints of a character in the order of its hierarchy, with how deep each lies.
+struct ListedJoint {
+  std::string name;   ///< what the scene's keys call it, else the node's name
+  std::string shown;  ///< the node's name, the humanoid name beside it where it has one
+  int depth = 0;
+};
+std::vector<ListedJoint> listed_joints(const StagedCharacter& character);
+
+}  // namespace sinew

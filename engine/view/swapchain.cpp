@@ -1,0 +1,145 @@
+#include "engine/view/swapchain.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+/// Numbers are shown as they are: pictures and interface hold sRGB already.
+vk::SurfaceFormatKHR choose_format(const std::vector<vk::SurfaceFormatKHR>& formats) {
+  for (const vk::Format wanted : {vk::Format::eB8G8R8A8Unorm, vk::Format::eR8G8B8A8Unorm})
+    for (const vk::SurfaceFormatKHR& format : formats)
+      if (format.format == wanted) return format;
+  return formats.front();
+}
+
+vk::PresentModeKHR choose_mode(const std::vector<vk::PresentModeKHR>& modes, bool uncapped) {
+  if (uncapped)
+    for (const vk::PresentModeKHR wanted : {vk::PresentModeKHR::eImmediate, vk::PresentModeKHR::eMailbox})
+      if (std::ranges::find(modes, wanted) != modes.end()) return wanted;
+  return vk::PresentModeKHR::eFifo;
+}
+
+vk::raii::RenderPass make_render_pass(const VulkanDevice& vulkan, vk::Format format) {
+  using Layout = vk::ImageLayout;
+  const vk::AttachmentDescription colour({}, format, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eLoad,
+                                         vk::AttachmentStoreOp::eStore, vk::AttachmentLoadOp::eDontCare,
+                                         vk::AttachmentStoreOp::eDontCare, Layout::eColorAttachmentOptimal,
+                                         Layout::ePresentSrcKHR);
+  const vk::AttachmentReference reference(0, Layout::eColorAttachmentOptimal);
+  const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, {}, reference);
+  return {vulkan.device, vk::RenderPassCreateInfo({}, colour, subpass)};
+}
+
+void change_layout(const vk::raii::CommandBuffer& commands, vk::Image image, vk::PipelineStageFlags2 from_stage,
+                   vk::AccessFlags2 from_access, vk::PipelineStageFlags2 to_stage, vk::AccessFlags2 to_access,
+                   vk::ImageLayout from, vk::ImageLayout to) {
+  const vk::ImageMemoryBarrier2 barrier(from_stage, from_access, to_stage, to_access, from, to, VK_QUEUE_FAMILY_IGNORED,
+                                        VK_QUEUE_FAMILY_IGNORED, image, {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1});
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
+
+/// Copies the picture as it is, whatever the order of the channels.
+void record_picture(const vk::raii::CommandBuffer& commands, vk::Image picture, vk::Image to, vk::Extent2D extent) {
+  using Stage = vk::PipelineStageFlagBits2;
+  using Access = vk::AccessFlagBits2;
+  using Layout = vk::ImageLayout;
+  change_layout(commands, to, Stage::eColorAttachmentOutput, Access::eNone, Stage::eBlit, Access::eTransferWrite,
+                Layout::eUndefined, Layout::eTransferDstOptimal);
+  const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
+  const vk::Offset3D end(static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height), 1);
+  const std::array<vk::Offset3D, 2> whole{vk::Offset3D(0, 0, 0), end};
+  commands.blitImage(picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
+                     vk::ImageBlit(layers, whole, layers, whole), vk::Filter::eNearest);
+  change_layout(commands, to, Stage::eBlit, Access::eTransferWrite, Stage::eColorAttachmentOutput,
+                Access::eColorAttachmentRead | Access::eColorAttachmentWrite, Layout::eTransferDstOptimal,
+                Layout::eColorAttachmentOptimal);
+}
+
+}  // namespace
+
+Swapchain::Swapchain(VulkanDevice& vulkan, vk::SurfaceKHR surface, bool uncapped)
+    : vulkan_(vulkan), surface_(surface), uncapped_(uncapped) {
+  const vk::SurfaceFormatKHR format = choose_format(vulkan.physical.getSurfaceFormatsKHR(surface));
+  format_ = format.format;
+  space_ = format.colorSpace;
+  render_pass_ = make_render_pass(vulkan, format_);
+  acquired_ = vk::raii::Semaphore(vulkan.device, vk::SemaphoreCreateInfo());
+  done_ = vk::raii::Fence(vulkan.device, vk::FenceCreateInfo());
+}
+
+void Swapchain::resize(int width, int height) {
+  const vk::SurfaceCapabilitiesKHR can = vulkan_.physical.getSurfaceCapabilitiesKHR(surface_);
+  vk::Extent2D extent = can.currentExtent;
+  if (extent.width == ~0u)
+    extent =
+        vk::Extent2D(std::clamp(static_cast<uint32_t>(width), can.minImageExtent.width, can.maxImageExtent.width),
+                     std::clamp(static_cast<uint32_t>(height), can.minImageExtent.height, can.maxImageExtent.height));
+  if (extent.width == 0 || extent.height == 0 || extent == extent_) return;
+  create(extent);
+}
+
+void Swapchain::create(vk::Extent2D extent) {
+  vulkan_.device.waitIdle();
+  const vk::SurfaceCapabilitiesKHR can = vulkan_.physical.getSurfaceCapabilitiesKHR(surface_);
+  const uint32_t most = can.maxImageCount == 0 ? ~0u : can.maxImageCount;
+  vk::SwapchainCreateInfoKHR info;
+  info.surface = surface_;
+  info.minImageCount = std::clamp(can.minImageCount + 1, 2u, most);
+  info.imageFormat = format_;
+  info.imageColorSpace = space_;
+  info.imageExtent = extent;
+  info.imageArrayLayers = 1;
+  info.imageUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferDst;
+  info.preTransform = can.currentTransform;
+  info.compositeAlpha = vk::CompositeAlphaFlagBitsKHR::eOpaque;
+  info.presentMode = choose_mode(vulkan_.physical.getSurfacePresentModesKHR(surface_), uncapped_);
+  info.clipped = true;
+  info.oldSwapchain = *chain_;
+  framebuffers_.clear();
+  views_.clear();
+  drawn_.clear();
+  chain_ = vk::raii::SwapchainKHR(vulkan_.device, info);
+  images_.clear();
+  for (const auto& image : chain_.getImages()) images_.push_back(vk::Image(image));
+  for (const vk::Image image : images_) {
+    const vk::ImageSubresourceRange whole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+    views_.emplace_back(vulkan_.device, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format_, {}, whole));
+    framebuffers_.emplace_back(
+        vulkan_.device, vk::FramebufferCreateInfo({}, *render_pass_, *views_.back(), extent.width, extent.height, 1));
+    drawn_.emplace_back(vulkan_.device, vk::SemaphoreCreateInfo());
+  }
+  extent_ = extent;
+}
+
+void Swapchain::show(vk::Image picture, const std::function<void(const vk::raii::CommandBuffer&)>& record) {
+  constexpr std::uint64_t forever = ~0ull;
+  if (extent_ == vk::Extent2D()) return;
+  std::uint32_t index = 0;
+  try {
+    index = chain_.acquireNextImage(forever, *acquired_).second;
+  } catch (const vk::OutOfDateKHRError&) {
+    extent_ = vk::Extent2D();
+    return;
+  }
+  vk::raii::CommandBuffer commands = vulkan_.begin_commands();
+  record_picture(commands, picture, images_[index], extent_);
+  commands.beginRenderPass(vk::RenderPassBeginInfo(*render_pass_, *framebuffers_[index], {{0, 0}, extent_}),
+                           vk::SubpassContents::eInline);
+  record(commands);
+  commands.endRenderPass();
+  commands.end();
+  const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;
+  vulkan_.queue.submit(vk::SubmitInfo(*acquired_, stage, *commands, *drawn_[index]), *done_);
+  if (vulkan_.device.waitForFences(*done_, true, forever) != vk::Result::eSuccess)
+    throw vk::DeviceLostError("a frame was never done");
+  vulkan_.device.resetFences(*done_);
+  try {
+    if (vulkan_.queue.presentKHR(vk::PresentInfoKHR(*drawn_[index], *chain_, index)) == vk::Result::eSuboptimalKHR)
+      extent_ = vk::Extent2D();
+  } catch (const vk::OutOfDateKHRError&) {
+    extent_ = vk::Extent2D();
+  }
+}
+
+}  // namespace sinew
