@@ -151,8 +151,8 @@ fs::path resolved_path(const std::string& written, const fs::path& folder) {
 }
 
 Character read_character(const JsonValue& value, const fs::path& folder) {
-  static const std::vector<std::string> known{"model",   "clip", "motion",      "position", "turn",   "count",
-                                              "muscles", "keys", "expressions", "regions",  "emotion",  "landmarks"};
+  static const std::vector<std::string> known{"model",   "clip", "motion",      "position", "turn",    "count",
+                                              "muscles", "keys", "expressions", "regions",  "emotion", "landmarks"};
   Character character;
   if (!value.expect_object(known)) return character;
   if (const auto model =
