@@ -38,12 +38,15 @@ Result<void> check_words(const Words& words) {
   if (words.on.empty() && !words.save_landmarks.empty())
     return failure(ErrorKind::usage, "--save-landmarks {}: expected --on MODEL beside it", words.save_landmarks);
   if (words.on.empty() && !words.landmarks.empty())
-    return failure(ErrorKind::usage, "--landmarks {}: without --on MODEL there is nothing they lie on", words.landmarks);
+    return failure(ErrorKind::usage, "--landmarks {}: without --on MODEL there is nothing they lie on",
+                   words.landmarks);
   const bool shaped = words.age || words.skull || words.level || !words.measure.empty() || !words.measures.empty() ||
                       !words.save_measures.empty() || !words.half.empty();
   if (!words.on.empty() && shaped)
-    return failure(ErrorKind::usage, "--on {}: a model that is given is not drawn; of the other options --landmarks, "
-                                     "--expression, --region and --strict go with it", words.on);
+    return failure(ErrorKind::usage,
+                   "--on {}: a model that is given is not drawn; of the other options --landmarks, "
+                   "--expression, --region and --strict go with it",
+                   words.on);
   if (!words.half.empty() && drawn)
     return failure(ErrorKind::usage, "--half: a half that is given is only mirrored; other options do not go with it");
   return {};

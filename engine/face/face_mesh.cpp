@@ -40,8 +40,7 @@ void weld(const CharacterMesh& mesh, const Similarity& to_drawing, FaceMesh& out
     const Vec3 n = to_drawing.direction(mesh.normals[v]);
     std::vector<std::uint32_t> none;
     auto& here = border[v] ? at[{p.x, p.y, p.z}] : none;
-    const auto found =
-        std::ranges::find_if(here, [&](std::uint32_t i) { return glm::dot(out.normals[i], n) > alike; });
+    const auto found = std::ranges::find_if(here, [&](std::uint32_t i) { return glm::dot(out.normals[i], n) > alike; });
     if (found != here.end()) {
       out.place_of.push_back(*found);
       continue;
@@ -82,7 +81,8 @@ class ShellSorter {
       }
     for (std::size_t i = 0; i < mesh_.triangles.size(); i += 3)
       if (mesh_.kind(mesh_.triangles[i]) == ShellKind::skin)
-        mesh_.skin_triangles.insert(mesh_.skin_triangles.end(), mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(i),
+        mesh_.skin_triangles.insert(mesh_.skin_triangles.end(),
+                                    mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(i),
                                     mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(i + 3));
   }
 
@@ -120,12 +120,12 @@ class ShellSorter {
         double farthest = 0.0;
         for (const Vec3& p : all) farthest = std::max(farthest, glm::distance(p, best.centre));
         const Vec3 forward = bounds(s).centre() - best.centre;
-        const bool whole = farthest < 1.2 * best.radius && (fitted_ball(all).error < most_error || farthest < best.radius);
+        const bool whole =
+            farthest < 1.2 * best.radius && (fitted_ball(all).error < most_error || farthest < best.radius);
         if (!whole) continue;
         // A ring round the opening is no part of the ball.
         bool pole = glm::length(forward) < 0.5 * best.radius;
-        for (const Vec3& p : all)
-          pole = pole || angle_degrees(p - best.centre, Vec3(0, 0, 1)) < 14.0;
+        for (const Vec3& p : all) pole = pole || angle_degrees(p - best.centre, Vec3(0, 0, 1)) < 14.0;
         if (!pole) continue;
         mesh_.kinds[s] = ShellKind::eyeball;
         mesh_.eye_of_shell[s] = side;
@@ -143,8 +143,8 @@ class ShellSorter {
       if (mesh_.kinds[s] != ShellKind::other) continue;
       const Bounds box = bounds(s);
       const Vec3 c = box.centre();
-      const bool inside = std::abs(c.x) < 0.7 * mouth && std::abs(c.y - lips.y) < 0.7 * mouth && box.high.z < lips.z + 0.02 &&
-                          c.z > lips.z - 1.6 * mouth;
+      const bool inside = std::abs(c.x) < 0.7 * mouth && std::abs(c.y - lips.y) < 0.7 * mouth &&
+                          box.high.z < lips.z + 0.02 && c.z > lips.z - 1.6 * mouth;
       if (inside && box.diagonal() < 3.0 * mouth) {
         mesh_.kinds[s] = c.y > lips.y ? ShellKind::upper : ShellKind::lower;
         continue;
@@ -194,7 +194,9 @@ Shared shared_marks(const Landmarks& ours, const Landmarks& theirs) {
 Result<void> check_apart(const Landmarks& marks, double unit, const std::string& name) {
   for (const auto& [a, p] : marks)
     for (const auto& [b, q] : marks) {
-      const auto is_lip = [](const std::string& s) { return s.find("Lip") != std::string::npos || s.starts_with("lip"); };
+      const auto is_lip = [](const std::string& s) {
+        return s.find("Lip") != std::string::npos || s.starts_with("lip");
+      };
       if (a < b && glm::distance(p, q) < 1e-3 * unit && !(is_lip(a) && is_lip(b)))
         return bad_input("{}: /landmarks/{}: at the same place as \"{}\"; expected different places", name, b, a);
     }
@@ -249,8 +251,8 @@ Result<FaceMesh> face_mesh(const CharacterMesh& mesh, const Landmarks& landmarks
       for (int c = 0; c < 3; ++c)
         facing += near->shares[c] * out.normals[out.skin_triangles[3 * near->triangle + static_cast<std::size_t>(c)]];
   if (!(facing.z > 0.0))
-    return bad_input("{}: /landmarks: the skin faces backwards; are left and right exchanged? They are the character's own",
-                     name);
+    return bad_input(
+        "{}: /landmarks: the skin faces backwards; are left and right exchanged? They are the character's own", name);
   return out;
 }
 
@@ -263,7 +265,8 @@ Result<Landmarks> placed_landmarks(const CharacterMesh& mesh, const LandmarkPlac
   for (const auto& [mark, place] : places) {
     if (const auto* vertex = std::get_if<std::uint32_t>(&place)) {
       if (*vertex >= mesh.vertices())
-        return bad_input("{}: /landmarks/{}: expected a vertex below {}, found {}", name, mark, mesh.vertices(), *vertex);
+        return bad_input("{}: /landmarks/{}: expected a vertex below {}, found {}", name, mark, mesh.vertices(),
+                         *vertex);
       out[mark] = mesh.positions[*vertex];
       continue;
     }

@@ -25,16 +25,16 @@ enum class ShellKind : std::uint8_t {
 };
 
 struct FaceMesh {
-  std::vector<Vec3> positions;               ///< [places] drawing units, template's axes
-  std::vector<Vec3> normals;                 ///< [places] unit length
-  std::vector<std::uint32_t> triangles;      ///< of places, three each
-  std::vector<std::uint32_t> place_of;       ///< [vertices of the character's mesh]
-  SurfaceGraph graph;                        ///< lips that touch are not joined
-  std::vector<ShellKind> kinds;              ///< [shells]
-  std::vector<int> eye_of_shell;             ///< [shells] of eyeballs: 0 left, 1 right; else -1
-  std::vector<std::uint32_t> skin_triangles; ///< of places
-  Landmarks marks;                           ///< drawing units
-  Similarity to_mesh;                        ///< from drawing units to the character's mesh
+  std::vector<Vec3> positions;                ///< [places] drawing units, template's axes
+  std::vector<Vec3> normals;                  ///< [places] unit length
+  std::vector<std::uint32_t> triangles;       ///< of places, three each
+  std::vector<std::uint32_t> place_of;        ///< [vertices of the character's mesh]
+  SurfaceGraph graph;                         ///< lips that touch are not joined
+  std::vector<ShellKind> kinds;               ///< [shells]
+  std::vector<int> eye_of_shell;              ///< [shells] of eyeballs: 0 left, 1 right; else -1
+  std::vector<std::uint32_t> skin_triangles;  ///< of places
+  Landmarks marks;                            ///< drawing units
+  Similarity to_mesh;                         ///< from drawing units to the character's mesh
   std::array<Vec3, 2> eye_centres{};
   double eye_radius = 0.0;
   std::array<bool, 2> has_eyeball{};

@@ -92,6 +92,7 @@ HeadShape shape_of(const FaceRig& face, const HeadShape& rest, const ShapeRecipe
 
 void add_face_shapes(const CharacterMesh& mesh, Model& model) {
   const FaceRig& rig = mesh.face->rig;
+  const FacePlace& place = mesh.face->place;
   const HeadShape rest = rest_shape_of(mesh);
   const auto posed = [&rig, &rest](const FaceChannels& channels) {
     const FaceState state = face_state(rig, channels);

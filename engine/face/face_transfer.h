@@ -17,14 +17,14 @@ struct TransferredFace {
   Similarity to_mesh;                   ///< from drawing units to the mesh's bind pose
   std::vector<std::string> notes;       ///< what the mesh lacks, for people
 
-  FaceGuides guides;                    ///< heights of the landmarks that were given
+  FaceGuides guides;  ///< heights of the landmarks that were given
 
   /// The face in the order of the mesh's vertices.
   FaceRig rig() const { return picked_face(head.face, place_of); }
 };
 
-/// `landmarks`: in the space of `mesh.positions`. `name`: for messages. Fails as face_mesh does, and where the landmarks
-/// do not lie on the mesh.
+/// `landmarks`: in the space of `mesh.positions`. `name`: for messages. Fails as face_mesh does, and where the
+/// landmarks do not lie on the mesh.
 Result<TransferredFace> transfer_face(const Head& from, const CharacterMesh& mesh, const Landmarks& landmarks,
                                       const std::string& name);
 

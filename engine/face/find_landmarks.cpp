@@ -78,10 +78,9 @@ Result<FoundLandmarks> find_landmarks(const CharacterMesh& mesh, const HeadSite&
       if (const auto corner = find_lip_corner(skin, *profile, side, reach, unit))
         out.marks[side > 0 ? "lipCornerLeft" : "lipCornerRight"] = *corner;
   }
-  out.notes.push_back(fmt::format("landmarks were found: nose {}, lips {}, eyes {}",
-                                  profile->has_lips ? "by its profile" : "by proportion",
-                                  profile->has_lips ? "by their profile" : "by proportion",
-                                  eyes.empty() ? "by proportion" : "by their balls"));
+  out.notes.push_back(fmt::format(
+      "landmarks were found: nose {}, lips {}, eyes {}", profile->has_lips ? "by its profile" : "by proportion",
+      profile->has_lips ? "by their profile" : "by proportion", eyes.empty() ? "by proportion" : "by their balls"));
   for (auto& [mark, place] : out.marks) place = site.axes * place;
   return out;
 }

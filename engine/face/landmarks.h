@@ -30,8 +30,8 @@ using LandmarkPlace = std::variant<std::uint32_t, Vec3>;
 using LandmarkPlaces = std::map<std::string, LandmarkPlace>;
 using Landmarks = std::map<std::string, Vec3>;  ///< by name, any one space
 
-/// A landmark file: {"landmarks": {"noseTip": 1234, "chin": [0, 1.5, 0.1]}}, comments allowed. `name` is the file's, for
-/// messages. Fails as bad_input with the JSON pointer: an unknown name (with the nearest known), a value that is
+/// A landmark file: {"landmarks": {"noseTip": 1234, "chin": [0, 1.5, 0.1]}}, comments allowed. `name` is the file's,
+/// for messages. Fails as bad_input with the JSON pointer: an unknown name (with the nearest known), a value that is
 /// neither a vertex number nor three numbers, a required landmark missing.
 Result<LandmarkPlaces> parse_landmarks(std::string_view text, const std::string& name);
 Result<LandmarkPlaces> read_landmarks(const std::filesystem::path& file);

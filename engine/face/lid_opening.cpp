@@ -44,8 +44,7 @@ std::vector<double> edge_by_marks(const FaceMesh& mesh, const std::string& lid, 
   const Vec3 inner = mesh.marks.at("eyeInner" + end), outer = mesh.marks.at("eyeOuter" + end);
   std::vector<Vec3> marks{inner};
   for (const char* part : {"Inner", "", "Outer"})
-    if (const auto found = mesh.marks.find(lid + part + end); found != mesh.marks.end())
-      marks.push_back(found->second);
+    if (const auto found = mesh.marks.find(lid + part + end); found != mesh.marks.end()) marks.push_back(found->second);
   if (marks.size() == 1) return {};
   marks.push_back(outer);
   // Along x, which the lids' turn leaves as it is.
@@ -72,7 +71,8 @@ std::vector<double> edge_by_marks(const FaceMesh& mesh, const std::string& lid, 
 void smooth(std::vector<double>& values) {
   for (int round = 0; round < 2; ++round) {
     const std::vector<double> old = values;
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) values[i] = 0.25 * old[i - 1] + 0.5 * old[i] + 0.25 * old[i + 1];
+    for (std::size_t i = 1; i + 1 < values.size(); ++i)
+      values[i] = 0.25 * old[i - 1] + 0.5 * old[i] + 0.25 * old[i + 1];
   }
 }
 

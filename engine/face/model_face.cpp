@@ -42,9 +42,11 @@ Change change_of(const ModelFace& face, const HeadShape& shape, std::uint32_t v)
   const Vec3 move = shape.positions[place] - t.head.positions[place];
   const Vec3 turn = shape.normals[place] - t.head.normals[place];
   Change out;
-  if (glm::length(move) > still) out.position = glm::inverse(face.blend[v]) * (t.to_mesh.scale * t.to_mesh.direction(move));
+  if (glm::length(move) > still)
+    out.position = glm::inverse(face.blend[v]) * (t.to_mesh.scale * t.to_mesh.direction(move));
   if (glm::length(turn) > unturned)
-    out.normal = glm::transpose(face.blend[v]) * t.to_mesh.direction(turn) / std::cbrt(std::abs(glm::determinant(face.blend[v])));
+    out.normal = glm::transpose(face.blend[v]) * t.to_mesh.direction(turn) /
+                 std::cbrt(std::abs(glm::determinant(face.blend[v])));
   return out;
 }
 

@@ -18,8 +18,8 @@ struct ModelFace {
   TransferredFace transfer;  ///< of that mesh
 };
 
-/// Landmarks found on the model: at its humanoid head, or on the whole of a mesh without a skeleton. Points at rest. Fails
-/// as find_landmarks does.
+/// Landmarks found on the model: at its humanoid head, or on the whole of a mesh without a skeleton. Points at rest.
+/// Fails as find_landmarks does.
 Result<FoundLandmarks> find_model_landmarks(const Model& model);
 
 /// Lays the template's face on the model. `name`: the landmark file's, for messages. Fails as placed_landmarks and

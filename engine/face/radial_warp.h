@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// p + c + sum w_i sqrt(|p - q_i|^2 + width^2), sum w_i = 0: multiquadrics (Hardy 1971), conditionally definite of order
-/// one (Micchelli 1986), so that it exists for any distinct places and tends to a mere shift far from them.
+/// p + c + sum w_i sqrt(|p - q_i|^2 + width^2), sum w_i = 0: multiquadrics (Hardy 1971), conditionally definite of
+/// order one (Micchelli 1986), so that it exists for any distinct places and tends to a mere shift far from them.
 class RadialWarp {
  public:
   /// The map that takes `from` to `to`. `looseness`: [from] 0 to go through a place, more to pass beside it the

@@ -44,8 +44,7 @@ void SkinValues::relax(const std::vector<std::uint32_t>& places, const std::vect
             for (std::size_t k = 0; k < width; ++k) out[k] += part * values_[n * width + k];
         },
         64);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      std::copy_n(&next[i * width], width, &values_[places[i] * width]);
+    for (std::size_t i = 0; i < places.size(); ++i) std::copy_n(&next[i * width], width, &values_[places[i] * width]);
   }
 }
 
@@ -65,6 +64,13 @@ void SkinValues::fill() {
   }
   relax(unknown, std::vector<double>(unknown.size(), 1.0), fill_rounds);
   relax(off, off_shares, smooth_rounds);
+  // What has crept a long way down the neck is no move that anyone sees: a hundredth of a millimetre on a head.
+  // The template's neck ends at the lowest height; below it nothing is of the face.
+  constexpr double nothing = 1e-4, lowest = -1.0;
+  for (const auto* places : {&unknown, &off})
+    for (const std::uint32_t v : *places)
+      for (std::size_t k = 0; k < width; ++k)
+        if (double& x = values_[v * width + k]; std::abs(x) < nothing || mesh_.positions[v].y < lowest) x = 0.0;
 }
 
 void SkinValues::carry_small_parts() {
@@ -90,8 +96,8 @@ void SkinValues::carry_small_parts() {
     if (mesh_.kind(v) == ShellKind::lower) out[0] = out[1] = 1.0;
     const std::vector<Root>& roots = all[mesh_.graph.shell[v]];
     if (roots.empty()) continue;
-    const Root& root = *std::ranges::min_element(
-        roots, {}, [&](const Root& r) { return glm::distance(r.place, mesh_.positions[v]); });
+    const Root& root =
+        *std::ranges::min_element(roots, {}, [&](const Root& r) { return glm::distance(r.place, mesh_.positions[v]); });
     roots_[v] = root.under.position;
     for (std::size_t c = 0; c < 3; ++c) {
       const double* own = &values_[mesh_.skin_triangles[3 * root.under.triangle + c] * width];

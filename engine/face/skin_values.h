@@ -16,8 +16,8 @@ class SkinValues {
   SkinValues(const FaceRig& from, const TemplateFit& fit, const FaceMesh& mesh,
              const std::function<double(std::size_t signal)>& scale);
 
-  /// Places that answer to none of the template's, in mouth and nostrils, take the mean of their neighbours; places that
-  /// lie beside the place that they answer to are smoothed by how far. What is far from the template stays.
+  /// Places that answer to none of the template's, in mouth and nostrils, take the mean of their neighbours; places
+  /// that lie beside the place that they answer to are smoothed by how far. What is far from the template stays.
   void fill();
   /// Brows and lashes take what the skin under them has, what is inside the mouth stays or goes with the jaw.
   void carry_small_parts();

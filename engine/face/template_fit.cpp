@@ -48,7 +48,8 @@ struct Pairs {
   }
 };
 
-/// The landmarks; where lips meet, their middle stands for both: places that touch on the template may gape on the mesh.
+/// The landmarks; where lips meet, their middle stands for both: places that touch on the template may gape on the
+/// mesh.
 Pairs landmark_pairs(const TemplateSkin& skin, const Landmarks& marks) {
   constexpr double same_place = 0.03;
   Pairs out;
@@ -69,7 +70,8 @@ Pairs landmark_pairs(const TemplateSkin& skin, const Landmarks& marks) {
 
 std::vector<Vec3> warped(const TemplateSkin& skin, const RadialWarp& warp) {
   std::vector<Vec3> out(skin.positions.size());
-  parallel_for(out.size(), [&](std::size_t v) { out[v] = warp.point(skin.positions[v]); }, 64);
+  parallel_for(
+      out.size(), [&](std::size_t v) { out[v] = warp.point(skin.positions[v]); }, 64);
   return out;
 }
 
@@ -144,7 +146,8 @@ TemplateFit fit_template(const Head& head, const FaceMesh& mesh) {
               if (skin.sides[skin.triangles[3 * t + c]] == -sides[v]) return false;
           return glm::dot(face_normal(at, skin.triangles, t), mesh.normals[v]) > alike;
         });
-        // What lies nearer but faces elsewhere says that this is a fold or an edge which the template does not have there.
+        // What lies nearer but faces elsewhere says that this is a fold or an edge which the template does not have
+        // there.
         if (!found || found->distance > any->distance + farther) return;
         TemplatePlace place;
         Vec3 from(0.0);

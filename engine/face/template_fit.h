@@ -21,7 +21,7 @@ struct TemplatePlace {
 struct TemplateFit {
   RadialWarp warp;
   std::vector<std::optional<TemplatePlace>> places;  ///< [mesh places]; nothing where no place faces alike
-  std::vector<bool> near;                            ///< [mesh places] the template's skin is near, whichever way it faces
+  std::vector<bool> near;  ///< [mesh places] the template's skin is near, whichever way it faces
 };
 
 /// The warp goes through the landmarks and, loosely, through places between them that were found nearest to the mesh.

@@ -6,7 +6,8 @@
 namespace sinew {
 namespace {
 
-/// Shares of the corners at the place of a triangle that is nearest to p. Ericson, Real-Time Collision Detection, 5.1.5.
+/// Shares of the corners at the place of a triangle that is nearest to p. Ericson, Real-Time Collision
+/// Detection, 5.1.5.
 Vec3 nearest_shares(const Vec3& p, const std::array<Vec3, 3>& t) {
   const auto& [a, b, c] = t;
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
@@ -121,8 +122,7 @@ std::optional<SurfacePoint> TriangleTree::nearest(const Vec3& p, double reach, c
       found = true;
     }
     if (box.count > 0) continue;
-    const bool left_first =
-        box_distance2(boxes_[at + 1].bounds, p) <= box_distance2(boxes_[box.right].bounds, p);
+    const bool left_first = box_distance2(boxes_[at + 1].bounds, p) <= box_distance2(boxes_[box.right].bounds, p);
     open.push_back(left_first ? box.right : at + 1);
     open.push_back(left_first ? at + 1 : box.right);
   }
@@ -140,7 +140,8 @@ std::optional<double> TriangleTree::first_crossing(const Vec3& start, const Vec3
     const Box& box = boxes_[at];
     if (!box_is_crossed(box.bounds, start, direction, best.value_or(reach))) continue;
     for (std::uint32_t i = box.first; i < box.first + box.count; ++i)
-      if (const auto hit = crossing(start, direction, corners(order_[i])); hit && *hit > 0 && *hit <= best.value_or(reach))
+      if (const auto hit = crossing(start, direction, corners(order_[i]));
+          hit && *hit > 0 && *hit <= best.value_or(reach))
         best = hit;
     if (box.count > 0) continue;
     open.push_back(box.right);

@@ -29,7 +29,8 @@ std::vector<FittedBall> balls(const std::vector<Vec3>& positions, const std::vec
     if (points.size() < 12 || std::max({size.x, size.y, size.z}) > 3 * largest * unit) continue;
     const FittedBall ball = fitted_ball(points);
     const bool round = std::min({size.x, size.y, size.z}) > ball.radius;
-    const bool here = ball.centre.y > nose.y && ball.centre.y < nose.y + 1.6 * unit && ball.centre.z > nose.z - 2.0 * unit;
+    const bool here =
+        ball.centre.y > nose.y && ball.centre.y < nose.y + 1.6 * unit && ball.centre.z > nose.z - 2.0 * unit;
     if (round && here && ball.error < most_error && ball.radius > smallest * unit && ball.radius < largest * unit)
       out.push_back(ball);
   }

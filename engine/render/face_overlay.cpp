@@ -14,7 +14,8 @@ class PosedFace {
     const Mat3 back = glm::transpose(place.axes);
     for (const Vec3& p : mesh.positions) drawn_.push_back(back * (p - place.origin) / place.unit);
     // The skin between the eyes carries what is drawn in the air.
-    const Vec3 between = 0.5 * (face_.rig.eye_centres[0] + face_.rig.eye_centres[1]) + Vec3(0, 0.2, face_.rig.eye_radius);
+    const Vec3 between =
+        0.5 * (face_.rig.eye_centres[0] + face_.rig.eye_centres[1]) + Vec3(0, 0.2, face_.rig.eye_radius);
     double nearest = INFINITY;
     for (std::size_t v = 0; v < drawn_.size(); ++v)
       if (const double d = glm::distance(drawn_[v], between); d < nearest) nearest = d, carrier_ = v;
@@ -105,8 +106,7 @@ std::vector<FaceGuideLine> guide_lines(const PosedFace& face) {
   // Round the head alone: no shoulder or hand lies in this box.
   const auto of_head = [&](std::size_t v) {
     const Vec3& d = face.drawn(v);
-    return std::abs(d.x) < 1.7 && d.y > -0.35 && d.y < 3.9 && std::abs(d.z) < 2.4 &&
-           !face.face().rig.vertices[v].ball;
+    return std::abs(d.x) < 1.7 && d.y > -0.35 && d.y < 3.9 && std::abs(d.z) < 2.4 && !face.face().rig.vertices[v].ball;
   };
   std::vector<FaceGuideLine> out;
   const double eyes = face.face().rig.eye_centres[0].y;
@@ -122,9 +122,8 @@ std::vector<FaceGuideLine> guide_lines(const PosedFace& face) {
   const auto upright = [&](const char* name, int axis) {
     std::vector<Vec3> middles;
     const auto cuts = face.cuts([&](std::size_t v) { return face.drawn(v)[axis]; }, 1e-6, of_head, &middles);
-    out.push_back({name, outermost(cuts, middles, [&](const Vec3& p) {
-                     return Vec2(axis == 0 ? p.z : p.x, p.y - eyes);
-                   })});
+    out.push_back(
+        {name, outermost(cuts, middles, [&](const Vec3& p) { return Vec2(axis == 0 ? p.z : p.x, p.y - eyes); })});
   };
   upright("centre line", 0);
   upright("", 2);
@@ -195,9 +194,8 @@ void add_upper_regions(const PosedFace& face, int side, RegionMaker& make) {
   const std::string end = side == 0 ? "Left" : "Right";
   const auto at = static_cast<std::size_t>(side);
   const double outward = side == 0 ? 1.0 : -1.0;
-  FaceRegionOverlay& brow = make.add("brow" + end, brow_colour, [&](std::size_t v) {
-    return make.delta(v, signal_index(FaceSignal::brow_up, at));
-  });
+  FaceRegionOverlay& brow = make.add(
+      "brow" + end, brow_colour, [&](std::size_t v) { return make.delta(v, signal_index(FaceSignal::brow_up, at)); });
   if (!rig.brow_outline.empty() && !brow.area.empty()) {
     Vec2 low(INFINITY), high(-INFINITY);
     for (const Vec2& p : rig.brow_outline) low = glm::min(low, p), high = glm::max(high, p);
@@ -252,10 +250,9 @@ void add_lower_regions(const PosedFace& face, RegionMaker& make) {
   }
   for (const int side : {0, 1}) {
     const double outward = side == 0 ? 1.0 : -1.0;
-    FaceRegionOverlay& corner =
-        make.add(side == 0 ? "cornerLeft" : "cornerRight", corner_colour, [&](std::size_t v) {
-          return make.delta(v, signal_index(FaceSignal::corner_up, static_cast<std::size_t>(side)));
-        });
+    FaceRegionOverlay& corner = make.add(side == 0 ? "cornerLeft" : "cornerRight", corner_colour, [&](std::size_t v) {
+      return make.delta(v, signal_index(FaceSignal::corner_up, static_cast<std::size_t>(side)));
+    });
     const Vec3 m = make.middle();
     if (!corner.area.empty())
       corner.limits.push_back(make.box(m.x - outward * l.corner_in, m.x + outward * l.corner_out, m.y - l.corner_down,

@@ -25,12 +25,12 @@ struct FaceGuideLine {
 struct FaceRegionOverlay {
   std::string name;
   Colour colour;
-  std::vector<std::array<Vec3, 3>> area;     ///< triangles that the region moves by half of its way or more
-  std::vector<SurfaceCut> outline;           ///< of the area
-  std::vector<std::vector<Vec3>> limits;     ///< closed lines: how far its points may go
-  std::vector<Vec3> pivots;                  ///< that it turns about
-  std::vector<std::array<Vec3, 2>> hinges;   ///< lines that it turns about
-  Vec3 anchor{0.0};                          ///< where its label points
+  std::vector<std::array<Vec3, 3>> area;    ///< triangles that the region moves by half of its way or more
+  std::vector<SurfaceCut> outline;          ///< of the area
+  std::vector<std::vector<Vec3>> limits;    ///< closed lines: how far its points may go
+  std::vector<Vec3> pivots;                 ///< that it turns about
+  std::vector<std::array<Vec3, 2>> hinges;  ///< lines that it turns about
+  Vec3 anchor{0.0};                         ///< where its label points
 };
 
 /// A face in one pose, world space.

@@ -14,8 +14,9 @@ void OverlayPainter::face_cuts(std::span<const SurfaceCut> cuts, const Colour& c
     for (const SurfaceCut& cut : cuts) {
       if (screen.faces(cut.from, cut.normal) != front) continue;
       if (!front && ++n % 2 == 0) continue;
-      line_3d(cut.from, cut.to,
-              {.colour = front ? colour : faded(colour, 0.35), .width = front ? width : 0.6 * width, .cap = Cap::round});
+      line_3d(
+          cut.from, cut.to,
+          {.colour = front ? colour : faded(colour, 0.35), .width = front ? width : 0.6 * width, .cap = Cap::round});
     }
   }
 }
