@@ -129,7 +129,8 @@ Result<RigidBones> RigidBonesJob::run() const {
     advance();
     const double now = turn.squared_error();
     const bool restarted = out.rounds + 1 < rounds && turn.restart_idle();
-    if (++out.rounds >= rounds || (!restarted && before - now <= worth_a_round * before)) break;
+    const bool settled = !restarted && before - now <= worth_a_round * before && std::isfinite(before);
+    if (++out.rounds >= rounds || settled) break;
     before = restarted ? INFINITY : now;
     turn.fit_transforms();
   }

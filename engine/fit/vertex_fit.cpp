@@ -21,6 +21,8 @@ constexpr double least_slope = 1e-9;
 
 /// A set of bones is exchanged only for one that is better by this share, so that rounding decides nothing.
 constexpr double worth_an_exchange = 1e-3;
+/// A residual below this share of the places' lengths is rounding: no other bones are looked for.
+constexpr double rounding = 1e-11;
 constexpr std::size_t most_exchanges = 8;  ///< tried a vertex
 
 }  // namespace
@@ -41,6 +43,9 @@ void VertexFit::begin(const Vec3& rest, std::span<const Vec3> posed) {
   rest_ = rest;
   posed_ = posed;
   std::fill(there_.begin(), there_.end(), 0);
+  double squared = 0.0;
+  for (const Vec3& place : posed) squared += glm::dot(place, place);
+  negligible_ = rounding * rounding * squared;
 }
 
 const Eigen::VectorXd& VertexFit::column(std::uint32_t bone) {
@@ -118,6 +123,7 @@ std::uint32_t VertexFit::steepest(const Support& support, double& slope) {
   const Eigen::VectorXd r = residual(support);
   std::uint32_t best = 0;
   slope = 0.0;
+  if (support.error <= negligible_) return best;
   for (std::uint32_t b = 0; b < poses_.bones; ++b) {
     if (tried_[b] || support.has(b)) continue;
     const double along = column(b).dot(r) - support.error;

@@ -75,6 +75,7 @@ class VertexFit {
   const BonePoses& poses_;
   Vec3 rest_{0.0};
   std::span<const Vec3> posed_;
+  double negligible_ = 0.0;               ///< squared residual that is rounding
   std::vector<Eigen::VectorXd> columns_;  ///< [bones], computed when they are asked for
   std::vector<double> lone_errors_;       ///< [bones] gamma, of the columns that are there
   std::vector<char> there_;               ///< [bones]

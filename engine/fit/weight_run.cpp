@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/fit/vertex_fit.h"
+
 namespace sinew {
 
 std::vector<Influence> weight_run(std::vector<Influence> weights, std::size_t influences, double least) {

@@ -5,17 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "engine/fit/vertex_fit.h"
 #include "engine/model/model.h"
 
 namespace sinew {
+
+struct Support;
 
 /// Less than this is lost when weights are stored as floats that sum to 1.
 constexpr double least_weight = 1e-7;
 
 /// The at most `influences` largest weights, none under `least`, made to sum to 1, in the order that Influences asks
 /// for; the largest alone where none reaches `least`. Weights may stand in any order and sum to anything above 0.
-std::vector<Influence> weight_run(std::vector<Influence> weights, std::size_t influences = Support::most,
+std::vector<Influence> weight_run(std::vector<Influence> weights, std::size_t influences = ~std::size_t{0},
                                   double least = least_weight);
 std::vector<Influence> weight_run(const Support& support);
 

@@ -149,7 +149,5 @@ void expect_explained(const std::string& file) {
 
 TEST(RigidBones, TwentyExplainAKnight) { expect_explained("kaykit/Knight.glb"); }
 
-TEST(RigidBones, TwentyExplainSintel) { expect_explained("mesh2motion/human-sintel.glb"); }
-
 }  // namespace
 }  // namespace sinew::test

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "engine/body/figure.h"
-#include "engine/body/figure.h"
 #include "engine/fit/closest_surface.h"
 #include "engine/fit/random_poses.h"
 #include "engine/fit/transferred_weights.h"
