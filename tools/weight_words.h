@@ -11,7 +11,7 @@ namespace sinew::tools {
 struct WeightWords {
   int influences = static_cast<int>(max_influences), smooth = 0;
   double prune = 0.0;
-  std::string mirror, from;
+  std::string mirror{}, from{};
 };
 
 /// `--influences`, `--prune`, `--smooth`, `--mirror` and `--from`, with the words' values as defaults.

@@ -137,7 +137,7 @@ TEST(AutomaticWeights, ATubeBendsAtItsElbow) {
 
 TEST(AutomaticWeights, WhatIsFarOrOutsideIsReported) {
   Model model = tube();
-  model.nodes[tube_hand].rest.translation = {5, 0, 0};
+  model.nodes[tube_hand].rest.translation = {0, 3, 0};
   Primitive& skin = model.meshes[0].primitives[0];
   const auto first = static_cast<std::uint32_t>(skin.positions.size());
   for (const Vec3 p : {Vec3(2, 1, 0), Vec3(2.1, 1, 0), Vec3(2, 1.1, 0)}) {
