@@ -58,7 +58,7 @@ void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const C
   const std::size_t joints = mesh.palette.size() * layout::words_per_joint;
   d.palette = vulkan.create_buffer(joints * sizeof(Word), usage, MemoryUse::upload);
   d.morph_slots = mesh.morph_slots.size();
-  if (mesh.face) d.face = {face_sizes(mesh.face->rig), mesh.face->place};
+  if (mesh.face) d.face = {face_sizes(mesh.face->rig), mesh.face->place, mesh.face->guides};
   const std::size_t weights = d.morph_slots + (d.face ? face_signals : 0);
   d.morph_weights = vulkan.create_buffer(weights * sizeof(float), usage, MemoryUse::upload);
   d.face_words = vulkan.create_buffer(d.face ? layout::words_per_face * sizeof(Word) : 0, usage, MemoryUse::upload);
@@ -256,7 +256,7 @@ Result<void> GpuDeformer::set_mesh(const CharacterMesh& mesh, const RestShape& r
   if (packed->vertex_count() != impl_->vertices || details > room)
     return bad_input("another shape of the character needs {} vertices and {} bytes of details, there are {} and {}",
                      packed->vertex_count(), details, impl_->vertices, room);
-  if (mesh.face) impl_->face = {face_sizes(mesh.face->rig), mesh.face->place};
+  if (mesh.face) impl_->face = {face_sizes(mesh.face->rig), mesh.face->place, mesh.face->guides};
   return vulkan_call("uploading the character's shape", [&] {
     impl_->vulkan->upload(impl_->vertex_words, std::as_bytes(std::span(packed->vertices)));
     impl_->vulkan->upload(impl_->detail_words, std::as_bytes(std::span(packed->details)));

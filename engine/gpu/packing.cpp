@@ -95,7 +95,8 @@ class Packer {
   }
 
   void add_face(std::size_t v) {
-    const auto& [rig, place] = *mesh_.face;
+    const FaceRig& rig = mesh_.face->rig;
+    const FacePlace& place = mesh_.face->place;
     const FaceVertex& vertex = rig.vertices[v];
     packed_.details.push_back(
         {bits(vertex.jaw), bits(vertex.jaw_sealed), bits(vertex.close_upper), bits(vertex.close_lower)});
@@ -165,8 +166,9 @@ void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words) {
 }
 
 void pack_face(const CharacterFace& face, const FaceState& state, std::span<Vec4f> words) {
-  const auto& [rig, place] = face;
-  const auto in_bind = [&place = place](const Vec3& p) { return place.origin + place.unit * (place.axes * p); };
+  const FaceRig& rig = face.rig;
+  const FacePlace& place = face.place;
+  const auto in_bind = [&place](const Vec3& p) { return place.origin + place.unit * (place.axes * p); };
   words[0] = Vec4f(Vec4(in_bind(rig.hinge), state.jaw_angle));
   words[1] = Vec4f(Vec4(place.axes[0], state.seal));
   words[2] = Vec4f(Vec4(place.unit * state.jaw_forward * place.axes[2], 0.0));
