@@ -69,7 +69,9 @@ Result<Nearest> find_nearest(const SkinnedShape& shape, const VoxelSolid& solid,
   if (!reached) return tl::unexpected<Error>(reached.error());
   Nearest nearest;
   for (const Vec3& p : shape.positions) {
-    const BoneSegment& segment = segments[(*reached)[solid.cell(p)]];
+    const auto number = static_cast<std::size_t>((*reached)[solid.cell(p)]);
+    if (number >= segments.size()) return bad_input("no bone reaches the vertex at {}, {}, {}", p.x, p.y, p.z);
+    const BoneSegment& segment = segments[number];
     nearest.joint.push_back(segment.joint);
     nearest.distance.push_back(std::max(glm::length(p - segment.nearest(p)), 0.5 * solid.size));
   }
@@ -117,6 +119,16 @@ void report_far(const Model& model, const SkinnedShape& shape, const Nearest& ne
   report.farthest_mesh = model.meshes[shape.part_of(report.farthest).mesh].name;
 }
 
+/// Whether any bone begins or ends in the mesh's box.
+bool any_lies_near(const std::vector<BoneSegment>& segments, const SkinnedShape& shape) {
+  Bounds box;
+  for (const Vec3& p : shape.positions) box.add(p);
+  const auto inside = [&](const Vec3& p) {
+    return glm::all(glm::greaterThanEqual(p, box.low)) && glm::all(glm::lessThanEqual(p, box.high));
+  };
+  return std::ranges::any_of(segments, [&](const BoneSegment& s) { return inside(s.from) || inside(s.to); });
+}
+
 }  // namespace
 
 Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions& options, Model& model) {
@@ -128,7 +140,7 @@ Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions
   const VoxelSolid solid = voxel_solid(shape.positions, shape.triangles, options.resolution);
   std::vector<BoneSegment> segments = bone_segments(model, skin, solid);
   std::erase_if(segments, [&](const BoneSegment& segment) { return left_out->contains(segment.joint); });
-  if (segments.empty())
+  if (segments.empty() || !any_lies_near(segments, shape))
     return bad_input("{}: no joint of the skeleton lies in it; expected both in the same place and size", model.file);
   const auto nearest = find_nearest(shape, solid, segments);
   if (!nearest) return tl::unexpected<Error>(nearest.error());

@@ -107,8 +107,10 @@ class Alternation {
 Result<void> check(const RigidBonesJob& job) {
   if (job.count < 1) return bad_input("0 bones; expected 1 or more");
   if (job.poses == 0) return bad_input("there is no example pose; expected one or more");
-  if (job.count > job.rest.size())
-    return bad_input("{} bones are more than can be told apart: there are {} vertices", job.count, job.rest.size());
+  constexpr std::size_t vertices_a_bone = 4;  // fewer do not tell how it turns
+  if (vertices_a_bone * job.count > job.rest.size())
+    return bad_input("{} bones are more than can be told apart: there are {} vertices, and each takes {} or more",
+                     job.count, job.rest.size(), vertices_a_bone);
   BonePoses any(1, job.poses);
   return SkinFitJob{job.rest, job.posed, job.triangles, any, FitMethod::convex, 1}.validate();
 }

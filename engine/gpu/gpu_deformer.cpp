@@ -52,7 +52,9 @@ void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const C
   VulkanDevice& vulkan = *d.vulkan;
   const auto usage = d.texel ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer;
   d.vertex_words = vulkan.create_buffer(packed.vertices.size() * sizeof(Word), usage, MemoryUse::device);
-  d.detail_words = vulkan.create_buffer(packed.details.size() * sizeof(Word), usage, MemoryUse::device);
+  // Another age of a face may move a few vertices more (set_mesh).
+  const std::size_t details = packed.details.size() + (mesh.face ? packed.details.size() / 8 + 1024 : 0);
+  d.detail_words = vulkan.create_buffer(details * sizeof(Word), usage, MemoryUse::device);
   vulkan.upload(d.vertex_words, std::as_bytes(std::span(packed.vertices)));
   vulkan.upload(d.detail_words, std::as_bytes(std::span(packed.details)));
   const std::size_t joints = mesh.palette.size() * layout::words_per_joint;

@@ -21,7 +21,7 @@ class FaceScene : public ProgramTest {
 const std::string head = R"("model": "builtin:head", "head": {"level": 0}, )";
 
 TEST_F(FaceScene, ParityHoldsForEverythingThatAFaceDoes) {
-  scene(head.substr(0, head.size() - 4) + R"(, "age": [[0, "adult"], [12, "child"]]}, )"
+  scene(head.substr(0, head.size() - 3) + R"(, "age": [[0, "adult"], [12, "child"]]}, )"
                                           R"("expressions": [[0, "laugh", 1], [6, "fear", 1], [12, "doubt", 1],
                            {"expression": "blink", "start": 2, "until": 4}],
            "regions": {"lipSeal": [[0, [0]], [12, [1]]], "eyeLeft": [[0, [-15, 8]], [12, [15, -8]]]})");

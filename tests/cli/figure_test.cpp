@@ -100,7 +100,6 @@ TEST_F(Figure, ATurntableGoesRound) {
 
 TEST_F(Figure, WordsThatAreNoneAreRefusedBeforeAFileIsOpened) {
   for (const Arguments& words : std::vector<Arguments>{{"--overlay", "skeletn"},
-                                                       {"--overlay", "guides"},
                                                        {"--sheet", "4"},
                                                        {"--sheet", "0x3"},
                                                        {"--turntable", "-1"},

@@ -60,6 +60,7 @@ FaceCharacter askew_head() {
   FacePlace& place = mesh.face->place;
   place = {axes * place.axes, shift + grown * (axes * place.origin), grown * place.unit};
   out.palette.clear();
+  mesh.palette.assign(5, mesh.palette.front());
   for (int j = 0; j < 5; ++j)
     out.palette.push_back(Mat34::from(glm::translate(Mat4(1.0), Vec3(0.02 * j, 0.0, 0.1)) *
                                       glm::rotate(Mat4(1.0), 0.15 * j, Vec3(0, 1, 0))));
