@@ -160,7 +160,8 @@ TEST(AutomaticWeights, JointsAreLeftOutByName) {
   AutomaticWeightOptions options;
   options.left_out = {"twist"};
   const Model bound = bound_anew(model, report, options);
-  for (const Influence& influence : skinned_shapes(bound).front().influences.entries)
+  const SkinnedShape shape = skinned_shapes(bound).front();
+  for (const Influence& influence : shape.influences.entries)
     EXPECT_NE(influence.joint, static_cast<std::uint32_t>(tube_twist));
   options.left_out = {"twisst"};
   Model again = bound_model(model, model).value();
