@@ -49,7 +49,9 @@ class BrowLine {
   double thickness_;
 };
 
-/// The nearest vertices of the face as seen from the front.
+/// The nearest vertices of the face as seen from the front. Their weights fall to 0 at the distance of the next one
+/// (Franke and Nielson, Smooth interpolation of large sets of scattered data, 1980): where the brow slides on to other
+/// vertices, as it does when a head grows older, it does not jump.
 class FrontSkin {
  public:
   explicit FrontSkin(std::span<const Vec3> skin) : skin_(skin) {
@@ -61,14 +63,17 @@ class FrontSkin {
       const Vec2 d = Vec2(skin_[v]) - p;
       return glm::dot(d, d);
     };
-    std::partial_sort(front_.begin(), front_.begin() + 6, front_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::partial_sort(front_.begin(), front_.begin() + 7, front_.end(), [&](std::uint32_t a, std::uint32_t b) {
       const double da = distance2(a), db = distance2(b);
       return da != db ? da < db : a < b;
     });
+    constexpr double least = 1e-3;  // of a vertex on the very place
+    const double reach = std::sqrt(distance2(front_[6])) + 1e-12;
     double sum = 0.0;
     for (std::size_t i = 0; i < 6; ++i) {
       vertices[i] = front_[i];
-      sum += weights[i] = 1.0 / (distance2(front_[i]) + 1e-5);
+      const double distance = std::sqrt(distance2(front_[i]));
+      sum += weights[i] = glm::pow(std::max(reach - distance, 1e-12) / (reach * (distance + least)), 2.0);
     }
     for (double& w : weights) w /= sum;
   }
