@@ -1,4 +1,5 @@
 #include "engine/app/describe.h"
+#include "engine/fit/weight_run.h"
 
 #include <set>
 
@@ -15,9 +16,7 @@ std::size_t distinct_joints(const Model& model) {
 std::size_t most_influences(const Model& model) {
   std::size_t most = 0;
   for (const Mesh& mesh : model.meshes)
-    for (const Primitive& primitive : mesh.primitives)
-      for (std::size_t v = 0; v < primitive.influences.vertices(); ++v)
-        most = std::max<std::size_t>(most, primitive.influences.first[v + 1] - primitive.influences.first[v]);
+    for (const Primitive& primitive : mesh.primitives) most = std::max(most, most_influences(primitive.influences));
   return most;
 }
 

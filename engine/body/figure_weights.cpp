@@ -4,12 +4,13 @@
 
 #include "engine/body/figure_relax.h"
 #include "engine/core/parallel.h"
+#include "engine/fit/weight_run.h"
 
 namespace sinew {
 namespace {
 
-constexpr std::size_t most_influences = 4;
-constexpr double least_weight = 1e-3;
+constexpr std::size_t most_influences_kept = 4;
+constexpr double least_share = 1e-3;
 
 /// Rounds in which chains blend into each other over their borders.
 constexpr int sharing_rounds = 6;
@@ -231,14 +232,9 @@ std::vector<Influence> FigureWeights::at(const Vec3& position, const ChainShares
   std::vector<Influence> run;
   for (std::size_t j = 0; j < weights.size(); ++j) {
     const bool middle = skeleton_.joints[j].mirror == static_cast<int>(j);
-    if (weights[j] > least_weight && (middle || !on_plane)) run.push_back({static_cast<std::uint32_t>(j), weights[j]});
+    if (weights[j] > least_share && (middle || !on_plane)) run.push_back({static_cast<std::uint32_t>(j), weights[j]});
   }
-  std::ranges::stable_sort(run, [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
-  if (run.size() > most_influences) run.resize(most_influences);
-  double sum = 0.0;
-  for (const Influence& influence : run) sum += influence.weight;
-  for (Influence& influence : run) influence.weight /= sum;
-  return run;
+  return weight_run(std::move(run), most_influences_kept);
 }
 
 }  // namespace sinew

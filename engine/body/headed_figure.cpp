@@ -6,6 +6,7 @@
 #include "engine/body/neck_fit.h"
 #include "engine/face/head_model.h"
 #include "engine/face/head_shapes.h"
+#include "engine/fit/weight_run.h"
 
 namespace sinew {
 namespace {
@@ -39,7 +40,8 @@ double middle_depth(std::span<const Vec3> positions, double low, double height) 
 }
 
 std::vector<Influence> border_influences(const Primitive& skin, const NeckBorder::Place& place) {
-  return mixed_influences(influences_of(skin, place.from), influences_of(skin, place.to), place.share);
+  return mixed_influences(influences_of(skin.influences, place.from), influences_of(skin.influences, place.to),
+                          place.share);
 }
 
 /// Closes the band between the figure's border and the head's lowest ring with triangles of the figure's skin.

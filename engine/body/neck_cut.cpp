@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/fit/weight_run.h"
+
 namespace sinew {
 namespace {
 
-constexpr std::size_t most_influences = 4;
+constexpr std::size_t most_influences_kept = 4;
 
 class Cutter {
  public:
@@ -42,7 +44,7 @@ class Cutter {
   std::uint32_t kept(std::uint32_t vertex) {
     if (kept_[vertex] == none)
       kept_[vertex] = add(skin_.positions[vertex], skin_.normals[vertex], skin_.texture_coordinates[vertex],
-                          influences_of(skin_, vertex));
+                          influences_of(skin_.influences, vertex));
     return kept_[vertex];
   }
 
@@ -52,7 +54,8 @@ class Cutter {
     if (!is_new) return place->second;
     const Vec3 &a = skin_.positions[below], &b = skin_.positions[above];
     const double t = plane_.above(a) / (plane_.above(a) - plane_.above(b));
-    const auto run = mixed_influences(influences_of(skin_, below), influences_of(skin_, above), t);
+    const auto run =
+        mixed_influences(influences_of(skin_.influences, below), influences_of(skin_.influences, above), t);
     place->second =
         add(glm::mix(a, b, t), unit_or(glm::mix(skin_.normals[below], skin_.normals[above], t), skin_.normals[below]),
             glm::mix(skin_.texture_coordinates[below], skin_.texture_coordinates[above], t), run);
@@ -85,25 +88,12 @@ std::vector<BorderEdge> cut_above(const NeckPlane& plane, Primitive& skin) {
   return cutter.border();
 }
 
-std::span<const Influence> influences_of(const Primitive& primitive, std::uint32_t vertex) {
-  const std::uint32_t first = primitive.influences.first[vertex];
-  return std::span(primitive.influences.entries).subspan(first, primitive.influences.first[vertex + 1] - first);
-}
-
 std::vector<Influence> mixed_influences(std::span<const Influence> one, std::span<const Influence> other,
                                         double share) {
-  std::map<std::uint32_t, double> weights;
-  for (const Influence& influence : one) weights[influence.joint] += (1.0 - share) * influence.weight;
-  for (const Influence& influence : other) weights[influence.joint] += share * influence.weight;
-  std::vector<Influence> run;
-  for (const auto& [joint, weight] : weights)
-    if (weight > 0.0) run.push_back({joint, weight});
-  std::ranges::stable_sort(run, std::greater{}, &Influence::weight);
-  if (run.size() > most_influences) run.resize(most_influences);
-  double sum = 0.0;
-  for (const Influence& influence : run) sum += influence.weight;
-  for (Influence& influence : run) influence.weight /= sum;
-  return run;
+  Mixture mixture;
+  mixture.add(one, 1.0 - share);
+  mixture.add(other, share);
+  return weight_run(mixture.list(), most_influences_kept);
 }
 
 }  // namespace sinew

@@ -27,8 +27,6 @@ struct BorderEdge {
 /// linear along the edges. Returns the border. Positions, normals, texture coordinates and influences are kept.
 std::vector<BorderEdge> cut_above(const NeckPlane& plane, Primitive& skin);
 
-std::span<const Influence> influences_of(const Primitive& primitive, std::uint32_t vertex);
-
 /// Influences between two vertices', `share` of the way; the four largest, as a vertex keeps them.
 std::vector<Influence> mixed_influences(std::span<const Influence> one, std::span<const Influence> other, double share);
 

@@ -70,10 +70,10 @@ Result<ExampleFit> fit_known(const ExampleFitOptions& options, const Model& rest
 }
 
 Result<ExampleFit> fit_unknown(const ExampleFitOptions& options, const Model& rest) {
-  Model placeholder;
-  placeholder.nodes.emplace_back().name = "root";
-  placeholder.roots = {0};
-  const auto alone = bound_model(rest, placeholder, {.morphs = !is_pose_file(options)});
+  Model still;
+  still.nodes.emplace_back().name = "root";
+  still.roots = {0};
+  const auto alone = bound_model(rest, still, {.morphs = !is_pose_file(options)});
   if (!alone) return tl::unexpected<Error>(alone.error());
   const SkinnedShape shape = skinned_shapes(*alone).front();
   const auto examples = read_example_poses(options.poses, shape);
