@@ -22,9 +22,9 @@ Result<LookOptions> look_options(const LookWords& words) {
   auto size = parse_size(words.size);
   if (!size) return pass_on(std::move(size));
   look.size = *size;
-  if (words.samples != 1 && words.samples != 4)
-    return failure(ErrorKind::usage, "--samples {}: expected 1 or 4", words.samples);
-  look.samples = words.samples;
+  const auto samples = check_samples(words.samples);
+  if (!samples) return tl::unexpected<Error>(samples.error());
+  look.samples = *samples;
   if (words.orbit && !std::isfinite(*words.orbit))
     return failure(ErrorKind::usage, "--orbit {}: expected a number of degrees", *words.orbit);
   look.orbit = words.orbit;

@@ -25,9 +25,9 @@ Result<ViewerOptions> viewer_options(const Words& words) {
   auto size = parse_size(words.size);
   if (!size) return pass_on(std::move(size));
   options.look.size = *size;
-  if (words.samples != 1 && words.samples != 4)
-    return failure(ErrorKind::usage, "--samples {}: expected 1 or 4", words.samples);
-  options.look.samples = words.samples;
+  const auto samples = check_samples(words.samples);
+  if (!samples) return tl::unexpected<Error>(samples.error());
+  options.look.samples = *samples;
   if (words.shown && (*words.shown < 1 || *words.shown > 1'000'000))
     return failure(ErrorKind::usage, "--frames {}: expected 1 to 1,000,000 frames to show", *words.shown);
   options.frames = words.shown.value_or(0);

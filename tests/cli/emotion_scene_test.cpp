@@ -1,5 +1,6 @@
 /// Emotions in scenes: which clip, when, how much.
 
+#include "tests/support/motion_samples.h"
 #include "tests/support/program.h"
 
 namespace sinew::test {
@@ -7,24 +8,8 @@ namespace {
 
 /// A body that bows: the spine turns about x by the given degrees, one a frame of 1/24 s.
 std::string bow(const std::vector<int>& degrees) {
-  std::string text =
-      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
-  const std::string turns = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
-  text += "JOINT Spine\n{\nOFFSET 0 20 0\n" + turns;
-  text += "JOINT Neck\n{\nOFFSET 0 30 0\n" + turns + "JOINT Head\n{\nOFFSET 0 10 0\n" + turns;
-  text += "End Site\n{\nOFFSET 0 15 0\n}\n}\n}\n";
-  for (const auto& [side, x] : {std::pair{"Left", 1}, std::pair{"Right", -1}})
-    text += fmt::format(
-        "JOINT {0}Arm\n{{\nOFFSET {1} 25 0\n{2}JOINT {0}ForeArm\n{{\nOFFSET {3} 0 0\n{2}JOINT {0}Hand\n{{\nOFFSET {3} "
-        "0 0\n{2}End Site\n{{\nOFFSET {1} 0 0\n}}\n}}\n}}\n}}\n",
-        side, 15 * x, turns, 27 * x);
-  text += "}\n";
-  for (const auto& [side, x] : {std::pair{"Left", 1}, std::pair{"Right", -1}})
-    text += fmt::format(
-        "JOINT {0}UpLeg\n{{\nOFFSET {1} 0 0\n{2}JOINT {0}Leg\n{{\nOFFSET 0 -42 0\n{2}JOINT {0}Foot\n{{\nOFFSET 0 -42 "
-        "0\n{2}End Site\n{{\nOFFSET 0 -5 12\n}}\n}}\n}}\n}}\n",
-        side, 9 * x, turns);
-  text += fmt::format("}}\nMOTION\nFrames: {}\nFrame Time: 0.041666666666666664\n", degrees.size());
+  std::string text = bvh_body();
+  text += fmt::format("MOTION\nFrames: {}\nFrame Time: 0.041666666666666664\n", degrees.size());
   for (const int angle : degrees) {
     text += fmt::format("0 90 0 0 0 0 0 {} 0", angle);
     for (int joint = 0; joint < 14; ++joint) text += " 0 0 0";
@@ -33,7 +18,7 @@ std::string bow(const std::vector<int>& degrees) {
   return text;
 }
 
-/// Up to 40 degrees at its fifth frame and back, seven frames before and after.
+/// Up to 40 degrees at frame 7 of 14 and back.
 std::vector<int> nod() { return {0, 2, 6, 14, 24, 34, 38, 40, 38, 34, 24, 14, 6, 2, 0}; }
 
 class EmotionScene : public ProgramTest {

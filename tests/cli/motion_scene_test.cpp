@@ -6,27 +6,10 @@
 namespace sinew::test {
 namespace {
 
-/// A body of 15 joints that lifts its left arm from a T pose to straight up within ten frames of 1/24 s.
+/// A body that lifts its left arm from a T pose to straight up within ten frames of 1/24 s.
 std::string arm_lift() {
-  std::string text = "HIERARCHY\n";
-  const std::string turns = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
-  text += "ROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
-  text += "JOINT Spine\n{\nOFFSET 0 20 0\n" + turns;
-  text += "JOINT Neck\n{\nOFFSET 0 30 0\n" + turns + "JOINT Head\n{\nOFFSET 0 10 0\n" + turns;
-  text += "End Site\n{\nOFFSET 0 15 0\n}\n}\n}\n";
-  for (const auto& [side, x] : {std::pair{"Left", 1}, std::pair{"Right", -1}})
-    text += fmt::format(
-        "JOINT {0}Arm\n{{\nOFFSET {1} 25 0\n{2}JOINT {0}ForeArm\n{{\nOFFSET {3} 0 0\n{2}JOINT {0}Hand\n{{\nOFFSET {3} "
-        "0 "
-        "0\n{2}End Site\n{{\nOFFSET {1} 0 0\n}}\n}}\n}}\n}}\n",
-        side, 15 * x, turns, 27 * x);
-  text += "}\n";
-  for (const auto& [side, x] : {std::pair{"Left", 1}, std::pair{"Right", -1}})
-    text += fmt::format(
-        "JOINT {0}UpLeg\n{{\nOFFSET {1} 0 0\n{2}JOINT {0}Leg\n{{\nOFFSET 0 -42 0\n{2}JOINT {0}Foot\n{{\nOFFSET 0 -42 "
-        "0\n{2}End Site\n{{\nOFFSET 0 -5 12\n}}\n}}\n}}\n}}\n",
-        side, 9 * x, turns);
-  text += "}\nMOTION\nFrames: 11\nFrame Time: 0.041666666666666664\n";
+  std::string text = bvh_body();
+  text += "MOTION\nFrames: 11\nFrame Time: 0.041666666666666664\n";
   for (int frame = 0; frame <= 10; ++frame) {
     // Hips, spine, neck, head, then the left arm.
     text += "0 90 0  0 0 0  0 0 0  0 0 0  0 0 0  " + std::to_string(9 * frame) + " 0 0";

@@ -91,17 +91,8 @@ DeformedVertices on_cpu(const FaceCharacter& c, const FaceState& state) {
 }
 
 std::vector<Vec4f> on_device(const FaceCharacter& c, const FaceState* state, const GpuDeformerOptions& options = {}) {
-  auto deformer = GpuDeformer::create(device(), c.mesh, c.rest, {}, options);
-  EXPECT_TRUE(deformer);
-  if (!deformer) return {};
-  deformer->set_state({c.palette, c.morph_weights, {}, state});
-  EXPECT_TRUE(deformer->run());
-  auto words = deformer->read_back();
-  const auto tangents = deformer->read_back_tangents();
-  EXPECT_TRUE(words && tangents);
-  if (!words || !tangents) return {};
-  words->insert(words->end(), tangents->begin(), tangents->end());
-  return *words;
+  return deform_on_device(GpuDeformer::create(device(), c.mesh, c.rest, {}, options),
+                          {c.palette, c.morph_weights, {}, state});
 }
 
 class FaceParity : public DeviceTest {

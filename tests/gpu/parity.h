@@ -13,15 +13,13 @@ constexpr double tangent_tolerance_degrees = 1e-3;  // 300 roundings to single p
 /// Where the blend all but collapses, normals are ill-conditioned, and with them the planes that tangents lie in.
 constexpr double singular_tolerance_degrees = 2.0;
 
-/// Two words a vertex, then its tangents where the mesh has any: one a vertex.
-inline std::vector<Vec4f> deform_on_device(const Chain& chain, const ChainState& state,
-                                           const GpuDeformerOptions& options) {
-  auto deformer = GpuDeformer::create(device(), chain.mesh, chain.rest, chain.muscles, options);
+/// What the device makes of a state: two words a vertex, then its tangents where the mesh has any: one a vertex.
+inline std::vector<Vec4f> deform_on_device(Result<GpuDeformer> deformer, const GpuDeformState& state) {
   if (!deformer) {
     ADD_FAILURE() << deformer.error().message;
     return {};
   }
-  deformer->set_state({state.palette, state.morph_weights, state.activations});
+  deformer->set_state(state);
   EXPECT_TRUE(deformer->run());
   auto words = deformer->read_back();
   const auto tangents = deformer->read_back_tangents();
@@ -29,6 +27,12 @@ inline std::vector<Vec4f> deform_on_device(const Chain& chain, const ChainState&
   if (!words || !tangents) return {};
   words->insert(words->end(), tangents->begin(), tangents->end());
   return *words;
+}
+
+inline std::vector<Vec4f> deform_on_device(const Chain& chain, const ChainState& state,
+                                           const GpuDeformerOptions& options) {
+  return deform_on_device(GpuDeformer::create(device(), chain.mesh, chain.rest, chain.muscles, options),
+                          {state.palette, state.morph_weights, state.activations});
 }
 
 struct Errors {

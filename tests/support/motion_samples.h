@@ -3,11 +3,37 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "engine/core/files.h"
 
 namespace sinew::test {
 
 inline Bytes bytes_of(const std::string& text) { return Bytes(text.begin(), text.end()); }
+
+/// The hierarchy of a body of 16 joints in a T pose, centimetres; six channels for the hips, then Z, X, Y turns for
+/// each joint: spine, neck, head, left and right arm, forearm and hand, left and right thigh, shin and foot.
+inline std::string bvh_body() {
+  const std::string turns = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
+  std::string text = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n";
+  text += "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
+  text += "JOINT Spine\n{\nOFFSET 0 20 0\n" + turns + "JOINT Neck\n{\nOFFSET 0 30 0\n" + turns;
+  text += "JOINT Head\n{\nOFFSET 0 10 0\n" + turns + "End Site\n{\nOFFSET 0 15 0\n}\n}\n}\n";
+  const auto limb = [&](const char* format, int x) {
+    for (const auto& [side, sign] : {std::pair{"Left", 1}, std::pair{"Right", -1}})
+      text += fmt::format(fmt::runtime(format), side, sign * x, turns, sign * 27);
+  };
+  limb(
+      "JOINT {0}Arm\n{{\nOFFSET {1} 25 0\n{2}JOINT {0}ForeArm\n{{\nOFFSET {3} 0 0\n{2}JOINT {0}Hand\n{{\n"
+      "OFFSET {3} 0 0\n{2}End Site\n{{\nOFFSET {1} 0 0\n}}\n}}\n}}\n}}\n",
+      15);
+  text += "}\n";
+  limb(
+      "JOINT {0}UpLeg\n{{\nOFFSET {1} 0 0\n{2}JOINT {0}Leg\n{{\nOFFSET 0 -42 0\n{2}JOINT {0}Foot\n{{\n"
+      "OFFSET 0 -42 0\n{2}End Site\n{{\nOFFSET 0 -5 12\n}}\n}}\n}}\n}}\n",
+      9);
+  return text + "}\n";
+}
 
 /// Two joints and an end; position and rotation channels in unlike orders.
 inline const std::string small_bvh = R"(HIERARCHY
