@@ -133,8 +133,8 @@ Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
                  place.distance.value_or(glm::length(framed.eye - bounds_.centre())), bounds_, place.direction);
 }
 
-Result<void> FrameMaker::draw_for_window(int frame) {
-  upload(pose(frame));
+Result<void> FrameMaker::draw_for_window(int frame, const std::vector<CharacterState>& states) {
+  if (auto ok = upload(states); !ok) return ok;
   return renderer_.draw_for_window(shot(frame));
 }
 

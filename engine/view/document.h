@@ -29,6 +29,7 @@ class Document {
   Result<Touched> edit(Scene scene, std::string label, const std::string& merge = "");
   /// Ends a run of edits that merge.
   void seal() { merging_.clear(); }
+  bool is_merging() const { return !merging_.empty(); }
   /// Moves the camera: saved with the scene, not undone.
   void move_camera(const Camera& camera);
 

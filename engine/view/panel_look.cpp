@@ -27,33 +27,36 @@ bool choose(const char* label, const Words& words, int& chosen) {
 }  // namespace
 
 void draw_look(const Document& document, ViewState& state) {
-  Scene scene = document.scene();
-  Look& look = scene.look;
+  Look look = document.scene().look;
+  const auto ask = [&](const char* label, const char* merge = "") {
+    Scene scene = document.scene();
+    scene.look = look;
+    state.ask(std::move(scene), label, merge);
+  };
   int shading = static_cast<int>(look.shading);
   if (choose("shading", shading_names(), shading)) {
     look.shading = static_cast<Shading>(shading);
-    if (look.shading == Shading::weights) look.joint = state.joint;
-    if (look.shading != Shading::weights) look.joint.clear();
+    look.joint = look.shading == Shading::weights ? state.joint : "";
     if (look.shading == Shading::weights && look.joint.empty()) {
       state.message = "choose a joint first: its weights are shown";
       state.is_error = true;
-      return;
+    } else {
+      ask("shading");
     }
-    state.ask(scene, "shading");
   }
-  if (ImGui::Checkbox("shadows", &look.shadows)) state.ask(scene, "shadows");
+  if (ImGui::Checkbox("shadows", &look.shadows)) ask("shadows");
   ImGui::SameLine();
   bool floor = look.floor.value_or(look.background.alpha != 0);
   if (ImGui::Checkbox("floor", &floor)) {
     look.floor = floor;
-    state.ask(scene, "floor");
+    ask("floor");
   }
   std::array<float, 3> colour{look.background.red / 255.0f, look.background.green / 255.0f,
                               look.background.blue / 255.0f};
   if (ImGui::ColorEdit3("background", colour.data(), ImGuiColorEditFlags_NoInputs)) {
     const auto level = [](float share) { return static_cast<std::uint8_t>(std::lround(255.0f * share)); };
     look.background = {level(colour[0]), level(colour[1]), level(colour[2]), 255};
-    state.ask(scene, "background", "background");
+    ask("background", "background");
   }
   if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
   for (const auto& [name, view] :
@@ -88,39 +91,48 @@ void draw_deformer(const Document& document, ViewState& state) {
   show_tip("of all muscles");
 }
 
+namespace {
+
+/// Lengths of one muscle, to be dragged. Each step is a share of the length itself, whatever the model's unit.
+void draw_muscle(const Document& document, std::size_t character, std::size_t number, const Muscle& muscle,
+                 ViewState& state) {
+  const auto length = [&](const char* label, double value, auto set) {
+    constexpr float share_a_pixel = 0.005f, least = 1e-5f;
+    float shown = static_cast<float>(value);
+    ImGui::SetNextItemWidth(150.0f);
+    const float speed = std::max(share_a_pixel * std::abs(shown), least);
+    if (ImGui::DragFloat(label, &shown, speed, least, 1e6f, "%.4f", ImGuiSliderFlags_AlwaysClamp)) {
+      Scene scene = document.scene();
+      set(scene.characters[character].muscles[number], static_cast<double>(shown));
+      state.ask(std::move(scene), muscle.name + " " + label, muscle.name + label);
+    }
+    if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
+  };
+  length("peak", muscle.peak, [](MuscleSpec& spec, double v) { spec.peak = v; });
+  length("sigma along", muscle.sigma.x, [&](MuscleSpec& spec, double v) { spec.sigma = Vec2(v, muscle.sigma.y); });
+  length("sigma across", muscle.sigma.y, [&](MuscleSpec& spec, double v) { spec.sigma = Vec2(muscle.sigma.x, v); });
+}
+
+}  // namespace
+
 void draw_muscles(const Document& document, ViewState& state) {
   const Stage& stage = document.stage();
-  const int frame = state.playback.shown();
+  // Before the first picture, and after characters came or went, there is nothing to tell yet.
+  if (state.states.size() != stage.characters.size()) return;
   for (std::size_t c = 0; c < stage.characters.size(); ++c) {
-    const StagedCharacter& character = stage.characters[c];
-    if (character.muscles.empty()) continue;
-    const CharacterState now = character_state(stage, c, frame);
-    for (std::size_t m = 0; m < character.muscles.size(); ++m) {
-      const Muscle& muscle = character.muscles[m].muscle;
+    const std::vector<PlacedMuscle>& muscles = stage.characters[c].muscles;
+    if (state.states[c].activations.size() != muscles.size()) continue;
+    for (std::size_t m = 0; m < muscles.size(); ++m) {
+      const double activation = state.states[c].activations[m];
       ImGui::PushID(static_cast<int>(100 * c + m));
-      if (ImGui::TreeNode(muscle.name.c_str())) {
-        Scene scene = document.scene();
-        MuscleSpec& spec = scene.characters[c].muscles[m];
-        const auto slider = [&](const char* label, double value, double low, double high, auto set) {
-          float shown = static_cast<float>(value);
-          ImGui::SetNextItemWidth(150.0f);
-          if (ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high), "%.3f")) {
-            set(static_cast<double>(shown));
-            state.ask(scene, muscle.name + " " + label, muscle.name + label);
-          }
-          if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
-        };
-        const double unit = std::max(std::abs(muscle.peak), 1e-3);
-        slider("peak", muscle.peak, 0.0, 3.0 * unit, [&](double v) { spec.peak = v; });
-        slider("sigma along", muscle.sigma.x, 0.2 * muscle.sigma.x + 1e-4, 3.0 * muscle.sigma.x,
-               [&](double v) { spec.sigma = Vec2(v, muscle.sigma.y); });
-        slider("sigma across", muscle.sigma.y, 0.2 * muscle.sigma.y + 1e-4, 3.0 * muscle.sigma.y,
-               [&](double v) { spec.sigma = Vec2(muscle.sigma.x, v); });
+      const bool open = ImGui::TreeNode(muscles[m].muscle.name.c_str());
+      ImGui::SameLine(170.0f);
+      ImGui::ProgressBar(static_cast<float>(std::clamp(activation, 0.0, 1.0)), {-1.0f, 0.0f},
+                         fmt::format("{:.2f}", activation).c_str());
+      if (open) {
+        draw_muscle(document, c, m, muscles[m].muscle, state);
         ImGui::TreePop();
       }
-      ImGui::SameLine(170.0f);
-      ImGui::ProgressBar(static_cast<float>(std::clamp(now.activations[m], 0.0, 1.0)), {-1.0f, 0.0f},
-                         fmt::format("{:.2f}", now.activations[m]).c_str());
       ImGui::PopID();
     }
   }

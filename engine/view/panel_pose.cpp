@@ -16,8 +16,12 @@ void draw_sliders(const Document& document, ViewState& state) {
     ImGui::TextDisabled("choose a joint to turn it");
     return;
   }
-  Scene scene = document.scene();
-  Character& character = scene.characters[state.character];
+  const Character& character = document.scene().characters[state.character];
+  const auto ask = [&](const std::string& label, const std::string& merge, auto change) {
+    Scene scene = document.scene();
+    change(scene.characters[state.character]);
+    state.ask(std::move(scene), label + state.joint, merge);
+  };
   const double frame = state.playback.shown();
   Vec3 degrees = joint_degrees(character, state.joint, frame);
   const auto track = character.keys.find(state.joint);
@@ -29,27 +33,20 @@ void draw_sliders(const Document& document, ViewState& state) {
     static constexpr const char* labels[] = {"x", "y", "z"};
     if (ImGui::SliderFloat(labels[axis], &value, -widest_turn, widest_turn, "%.1f deg")) {
       degrees[axis] = value;
-      set_joint_degrees(character, state.joint, frame, degrees);
-      state.ask(scene, "turn " + state.joint, "turn " + state.joint);
+      ask("turn ", "turn " + state.joint,
+          [&](Character& changed) { set_joint_degrees(changed, state.joint, frame, degrees); });
     }
     if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
   }
-  if (ImGui::Button("Key here")) {
-    add_joint_key(character, state.joint, frame);
-    state.ask(scene, "key for " + state.joint);
-  }
+  if (ImGui::Button("Key here"))
+    ask("key for ", "", [&](Character& changed) { add_joint_key(changed, state.joint, frame); });
   show_tip("K: keeps these angles at this frame; turn the joint at another frame to move it");
   ImGui::SameLine();
   ImGui::BeginDisabled(keys == 0);
-  if (ImGui::Button("Remove key")) {
-    remove_joint_key(character, state.joint, frame);
-    state.ask(scene, "remove a key of " + state.joint);
-  }
+  if (ImGui::Button("Remove key"))
+    ask("remove a key of ", "", [&](Character& changed) { remove_joint_key(changed, state.joint, frame); });
   ImGui::SameLine();
-  if (ImGui::Button("Reset")) {
-    character.keys.erase(state.joint);
-    state.ask(scene, "reset " + state.joint);
-  }
+  if (ImGui::Button("Reset")) ask("reset ", "", [&](Character& changed) { changed.keys.erase(state.joint); });
   ImGui::EndDisabled();
   ImGui::TextDisabled("%zu %s", keys, keys == 1 ? "value for all frames" : "keys");
 }

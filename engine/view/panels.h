@@ -26,6 +26,7 @@ struct ViewState {
   bool is_error = false;
   std::string device;  ///< name, and that it is a CPU
   double frames_a_second = 0.0;
+  std::vector<CharacterState> states;  ///< [characters] of the frame that is shown
 
   /// An edit of the scene that a panel made.
   struct Edit {

@@ -73,7 +73,8 @@ class Viewer {
   std::unique_ptr<Shown> shown_;
   std::future<Result<Stage>> opening_;
   SceneOptions opening_options_;
-  bool stale_ = true;  ///< the picture is not that of the document any more
+  bool bounds_stale_ = false;  ///< the maker's bounds are those before the last poses
+  bool stale_ = true;          ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
 };
 
@@ -116,8 +117,9 @@ Result<void> Viewer::show_stage(Stage stage, const SceneOptions& scene, std::vec
 Result<void> Viewer::follow(Touched what) {
   stale_ = true;
   state_.playback.set_range(document().stage().range);
-  if (what == Touched::poses) maker().follow_stage();
+  if (what == Touched::poses) bounds_stale_ = true;
   if (what != Touched::all) return {};
+  bounds_stale_ = false;
   std::vector<std::string> problems;
   return make_pictures(*shown_, problems);
 }
@@ -275,7 +277,8 @@ void Viewer::take_requests(Window& window) {
     auto done = document().edit(edit->scene, edit->label, edit->merge);
     take_edit(done, edit->label);
   }
-  if (std::exchange(state_.edit_ended, false)) document().seal();
+  const bool ended = std::exchange(state_.edit_ended, false);
+  if (ended) document().seal();
   if (std::exchange(state_.undo, false) && document().can_undo()) {
     const std::string label = document().undo_label();
     take_edit(document().undo(), "undone: " + label);
@@ -287,6 +290,12 @@ void Viewer::take_requests(Window& window) {
   if (const auto options = std::exchange(state_.options, std::nullopt)) {
     document().set_options(options->deformer, options->bulge, options->strength);
     take_edit(Touched::all, "deformer");
+  }
+  // The box of all frames takes long to find: not while a slider is being dragged.
+  if (bounds_stale_ && (ended || !document().is_merging())) {
+    maker().follow_stage();
+    bounds_stale_ = false;
+    stale_ = true;
   }
   if (const auto view = std::exchange(state_.view, std::nullopt)) choose_view(*view);
   if (std::exchange(state_.frame_all, false)) {
@@ -323,7 +332,8 @@ Result<void> Viewer::show_frame(Window& window) {
   take_requests(window);
   const int frame = state_.playback.shown();
   if (stale_ || frame != drawn_frame_) {
-    if (auto ok = maker().draw_for_window(frame); !ok) return ok;
+    state_.states = maker().pose(frame);
+    if (auto ok = maker().draw_for_window(frame, state_.states); !ok) return ok;
     drawn_frame_ = frame;
     stale_ = false;
   }
@@ -375,7 +385,7 @@ Result<ViewerReport> Viewer::run(Window& window) {
   }
   report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   report.median_ms = percentile(times, 0.5);
-  report.p95_ms = percentile(times, 0.95);
+  report.p95_ms = percentile(std::move(times), 0.95);
   report.size = size_;
   return report;
 }
