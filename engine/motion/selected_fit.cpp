@@ -6,6 +6,7 @@
 #include "engine/motion/curve_cuts.h"
 #include "engine/motion/sample_smoothing.h"
 #include "engine/motion/tolerant_fit.h"
+#include "engine/motion/wiener_filter.h"
 
 namespace sinew {
 namespace {
@@ -17,7 +18,7 @@ constexpr double followed_share = 0.3;
 
 PiecewisePolynomial fit_selected(SegmentTables& tables, const EvenSamples& samples, int highest_degree,
                                  double resolution) {
-  const SmoothedSamples smooth = smooth_samples(samples.values, resolution);
+  const SmoothedSamples smooth = filter_waves(samples.values, smooth_samples(samples.values, resolution), resolution);
   const double tolerance = std::max(followed_share * smooth.standard_error(), resolution);
   const EvenSamples smoothed{samples.begin, samples.spacing, smooth.values};
   const PiecewisePolynomial within = fit_within(tables, smoothed, tolerance, highest_degree);
