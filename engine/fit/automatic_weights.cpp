@@ -42,6 +42,24 @@ class Kinship {
   const Skin& skin_;
 };
 
+/// Leaves the `most` largest, each less what the largest of the others has, or `least` where that is more: as two
+/// joints change places in the order both are at 0, so that the weights of neighbours differ no more than they did.
+void keep_largest(std::vector<Influence>& weights, std::size_t most, double least) {
+  std::sort(weights.begin(), weights.end(), [](const Influence& a, const Influence& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+  });
+  double sum = 0.0;
+  for (const Influence& influence : weights) sum += influence.weight;
+  double cut = least * sum;
+  if (weights.size() > most) {
+    cut = std::max(cut, weights[most].weight);
+    weights.resize(most);
+  }
+  // Nothing would be left of equal weights; they are too many for any choice among them to be smooth.
+  if (!weights.empty() && cut > 0.999 * weights.front().weight) return;
+  for (Influence& influence : weights) influence.weight = std::max(influence.weight - cut, 0.0);
+}
+
 /// Joints that shall move nothing: those that were named and, in a humanoid, those that do not hang from the hips,
 /// which are handles of the rig.
 Result<std::set<std::uint32_t>> left_out_joints(const Model& model, const std::vector<std::string>& names) {
@@ -161,6 +179,7 @@ Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions
   Influences influences;
   for (std::vector<Influence>& weights : *spread) {
     part_limbs(kinship, weights);
+    keep_largest(weights, options.influences, options.prune);
     influences.add_vertex(weight_run(std::move(weights), options.influences, options.prune));
   }
 

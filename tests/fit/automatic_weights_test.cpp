@@ -226,6 +226,39 @@ TEST(AutomaticWeights, ASymmetricBodyIsBoundAlikeOnBothSides) {
     }
 }
 
+/// By how much the worst thousandth of all edges is stretched or shortened in ten random poses, a factor.
+double worst_stretch(const Model& bound) {
+  constexpr std::size_t count = 10;
+  RandomNumbers random(7);
+  const std::vector<Pose> poses = random_poses(bound, bound.skins[0].joints, count, random);
+  const CharacterMesh mesh = character_mesh(bound);
+  const std::vector<Vec3> posed = posed_places(bound, mesh, poses);
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::size_t a = mesh.triangles[i], b = mesh.triangles[i % 3 == 2 ? i - 2 : i + 1];
+    const double rest = glm::length(mesh.positions[a] - mesh.positions[b]);
+    if (rest < 1e-3) continue;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double now = std::max(glm::length(posed[a * count + k] - posed[b * count + k]), 1e-9);
+      factors.push_back(std::max(now / rest, rest / now));
+    }
+  }
+  const auto at = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() * 999 / 1000);
+  std::nth_element(factors.begin(), at, factors.end());
+  return *at;
+}
+
+TEST(AutomaticWeights, TearLessThanPaintedOnes) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  const Model painted = read_character(assets / "characters/makehuman/mh_male_game.glb");
+  AutomaticWeightReport report;
+  const double theirs = worst_stretch(painted), ours = worst_stretch(bound_anew(painted, report));
+  fmt::print("the worst thousandth of edges changes by a factor of {:.2f}, of {:.2f} by painted weights\n", ours,
+             theirs);
+  // Left out joints whose weight is dropped at once, instead of sinking to 0 first, make it as much as by painted ones.
+  EXPECT_LT(ours, 0.9 * theirs);
+}
+
 TEST(AutomaticWeights, PointsWithoutASurfaceAreRefused) {
   Model points = tube();
   for (Primitive& primitive : points.meshes[0].primitives) primitive.indices.clear();
