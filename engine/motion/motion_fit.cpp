@@ -13,7 +13,7 @@ double root_tolerance(const MotionSkeleton& skeleton, double degrees) {
   return 0.25 * skeleton_size(skeleton) * degrees * degrees_to_radians;
 }
 
-MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
+Result<MotionFit> fit_motion(const Motion& motion, const CurveFitOptions& options, TaskWatch& watch) {
   const auto begun = std::chrono::steady_clock::now();
   const MotionSamples samples = motion_samples(motion);
   const std::size_t joints = samples.joints.size();
@@ -23,9 +23,11 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
   fit.clip.frame_time = motion.frame_time;
   fit.clip.joints.resize(joints);
   fit.curves.resize(3 * joints);
+  watch.begin(joints);
   parallel_for(
       joints,
       [&](std::size_t j) {
+        if (watch.is_cancelled()) return;
         JointCurves& curves = fit.clip.joints[j];
         curves.order = samples.joints[j].order;
         std::vector<double> values(samples.times.size());
@@ -36,8 +38,10 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
               j, axis, one.curve.segments(), one.curve.degree(), one.rms_error, one.largest_error};
           curves.angles[axis] = std::move(one.curve);
         }
+        watch.advance();
       },
       1);
+  if (auto ok = watch.check(); !ok) return pass_on(std::move(ok));
   CurveFitOptions lengths = options;
   if (options.tolerance) lengths.tolerance = root_tolerance(motion.skeleton, *options.tolerance);
   lengths.resolution = root_tolerance(motion.skeleton, options.resolution);
@@ -50,6 +54,11 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
   fit.sampled_numbers = samples.times.size() * 3 * (joints + 1);
   fit.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
   return fit;
+}
+
+MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
+  TaskWatch watch;
+  return *fit_motion(motion, options, watch);
 }
 
 Result<void> check_motion_fit_options(const MotionFitOptions& options) {
