@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "engine/core/interrupt.h"
+#include "engine/model/scene_words.h"
 #include "engine/render/text.h"
 #include "engine/view/viewer_session.h"
 
@@ -14,6 +15,8 @@ using Clock = std::chrono::steady_clock;
 /// The interface needs some frames after the last event to come to rest.
 constexpr int frames_to_rest = 3;
 constexpr double capped_seconds = 1.0 / 60.0;
+/// Between two looks at what runs beside the window; and, where nothing does, at the file that is shown.
+constexpr double progress_seconds = 0.05, idle_seconds = 0.5;
 
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
@@ -26,6 +29,7 @@ double percentile(std::vector<double> values, double share) {
 Result<void> ViewerSession::make_pictures(Shown& shown, std::vector<std::string>& problems) {
   LookOptions look = options_.look;
   look.size = size_;
+  look.for_window = true;
   // What the scene says is edited here; only what it cannot say comes from the command line.
   auto made = FrameMaker::create(device_, shown.document.stage(), shown.document.options(), look, problems);
   if (!made) return pass_on(std::move(made));
@@ -50,6 +54,11 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   state_.file = scene.scene.empty() ? "the embedded scene" : scene.scene;
   const bool is_scene_file = std::filesystem::path(scene.scene).extension() == ".json";
   state_.save_as = is_scene_file ? scene.scene : "scene.json";
+  state_.film = std::filesystem::path(state_.save_as).replace_extension(".mp4").string();
+  disk_.watch(is_scene_file ? scene.scene : "");
+  state_.changed_on_disk = false;
+  camera_in_file_ = this->document().scene().camera;
+  if (!scene.scene.empty() && !is_built_in_model(scene.scene)) remember(scene.scene);
   state_.joint.clear();
   state_.character = 0;
   state_.playback = {};
@@ -80,15 +89,20 @@ Result<void> ViewerSession::show_frame(Window& window) {
   take_pointer();
   take_keys(window);
   draw_panels(document(), state_);
+  if (window.has_finer_pixels()) state_.docked.clear();
   take_requests(window);
   const int frame = state_.playback.shown();
-  if (stale_ || frame != drawn_frame_) {
+  const PixelBox free = uncovered(size_.width, size_.height, state_.docked);
+  const PictureArea seen{free.left, free.top, free.right - free.left, free.bottom - free.top};
+  // A measured run draws what it shows, every time.
+  if (stale_ || frame != drawn_frame_ || seen != drawn_area_ || options_.frames > 0) {
     state_.states = maker().pose(frame);
-    if (auto ok = maker().draw_for_window(frame, state_.states); !ok) return ok;
+    if (auto ok = maker().draw_for_window(frame, state_.states, seen); !ok) return ok;
     drawn_frame_ = frame;
+    drawn_area_ = seen;
     stale_ = false;
   }
-  return window.show(maker().renderer());
+  return window.show(maker().renderer(), state_.docked);
 }
 
 Result<ViewerReport> ViewerSession::run(Window& window) {
@@ -101,10 +115,11 @@ Result<ViewerReport> ViewerSession::run(Window& window) {
   const bool measured = options_.frames > 0;
   if (measured) state_.playback.playing = true;
   while (!window.is_closing() && (!measured || report.frames < options_.frames)) {
-    const bool moving = state_.playback.playing || opening_.valid() || measured;
-    window.take_events(!moving && to_rest <= 0);
+    const bool moving = state_.playback.playing || measured, works = works_beside();
+    window.take_events(!moving && to_rest <= 0, works ? progress_seconds : idle_seconds);
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
     if (window.had_events()) to_rest = frames_to_rest;
+    if (works || follow_disk()) to_rest = std::max(to_rest, 1);
     if (!moving && to_rest-- <= 0) {
       last = Clock::now();
       continue;
@@ -128,6 +143,7 @@ Result<ViewerReport> ViewerSession::run(Window& window) {
     state_.playback.advance(measured ? 1.0 / document().scene().fps : std::min(seconds, 0.25), document().scene().fps);
     ++report.frames;
   }
+  if (!measured) keep_preferences(window);
   report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   report.median_ms = percentile(times, 0.5);
   report.p95_ms = percentile(std::move(times), 0.95);
@@ -135,10 +151,26 @@ Result<ViewerReport> ViewerSession::run(Window& window) {
   return report;
 }
 
-Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOptions& options) {
-  ViewerSession session(device, options);
+Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOptions& asked) {
+  ViewerOptions options = asked;
   std::vector<std::string> problems;
+  Preferences preferences;
+  std::filesystem::path file;
+  // A measured run is the same on every machine.
+  if (options.frames == 0) {
+    auto kept = load_preferences(preferences_file());
+    if (kept) {
+      preferences = std::move(*kept);
+      file = preferences_file();
+    } else {
+      problems.push_back(kept.error().message + "; it is left as it is, and the usual settings are used");
+    }
+    if (!options.size_given) options.look.size = preferences.window;
+  }
+  ViewerSession session(device, options);
+  session.go_on_from(preferences, file);
   if (auto ok = session.open(options.scene, problems); !ok) return pass_on(std::move(ok));
+  if (!problems.empty()) session.tell(problems.front());
   WindowOptions wanted{.size = options.look.size, .uncapped = options.uncapped};
   if (const auto font = Font::find_file()) wanted.font = font->string();
   auto window = Window::create(system, device, wanted);

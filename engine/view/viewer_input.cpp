@@ -60,11 +60,17 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
         state_.ask(scene, "key for " + state_.joint);
       }
       break;
+    case KeyboardKey::m:
+      state_.motion.shown = !state_.motion.shown;
+      break;
     case KeyboardKey::p:
       state_.screenshot = true;
       break;
     case KeyboardKey::q:
       if (press.control) window.close();
+      break;
+    case KeyboardKey::r:
+      state_.record = state_.record || press.control;
       break;
     case KeyboardKey::s:
       state_.save = state_.save || press.control;
@@ -82,6 +88,9 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
       state_.view = press.control ? View::right : View::left;
       break;
     case KeyboardKey::five:
+      state_.toggle_projection = true;
+      break;
+    case KeyboardKey::nine:
       state_.view = View::three_quarter;
       break;
     case KeyboardKey::seven:

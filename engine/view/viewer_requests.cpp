@@ -1,4 +1,3 @@
-#include <chrono>
 #include <utility>
 
 #include "engine/core/files.h"
@@ -10,8 +9,15 @@ namespace sinew {
 void ViewerSession::choose_view(View view) {
   Camera camera;
   camera.view = view;
+  camera.projection = document().scene().camera.projection;
   document().move_camera(camera);
   stale_ = true;
+}
+
+void ViewerSession::toggle_projection() {
+  OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
+  camera.rays = camera.rays == Rays::parallel ? Rays::from_eye : Rays::parallel;
+  look_from(camera);
 }
 
 void ViewerSession::take_edit(const Result<Touched>& done, const std::string& said) {
@@ -32,28 +38,10 @@ void ViewerSession::take_photo() {
   say(file.string() + " written");
 }
 
-void ViewerSession::open_beside(const std::string& file) {
-  if (opening_.valid()) return say("still opening another file");
-  opening_options_ = options_.scene;
-  opening_options_.scene = file;
-  opening_options_.poses.clear();
-  opening_options_.clip.reset();
-  opening_ = std::async(std::launch::async, [options = opening_options_] { return open_stage(options); });
-  say("opening " + file + " ...");
-}
-
-void ViewerSession::take_opened() {
-  if (!opening_.valid() || opening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  auto stage = opening_.get();
-  if (!stage) return say(stage.error());
-  std::vector<std::string> problems = stage->problems;
-  if (auto ok = show_stage(std::move(*stage), opening_options_, problems); !ok) return say(ok.error());
-  say(problems.empty() ? state_.file + " opened" : problems.front(), false);
-}
-
 void ViewerSession::take_requests(Window& window) {
-  for (const auto& file : window.take_dropped_files()) open_beside(file.string());
-  take_opened();
+  take_file_requests(window);
+  follow_recording();
+  follow_library();
   if (const auto edit = std::exchange(state_.edit, std::nullopt)) {
     auto done = document().edit(edit->scene, edit->label, edit->merge);
     take_edit(done, edit->label);
@@ -79,16 +67,11 @@ void ViewerSession::take_requests(Window& window) {
     stale_ = true;
   }
   if (const auto view = std::exchange(state_.view, std::nullopt)) choose_view(*view);
+  if (std::exchange(state_.toggle_projection, false)) toggle_projection();
   if (std::exchange(state_.frame_all, false)) {
     OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
     camera.frame(maker().bounds(), aspect());
     look_from(camera);
-  }
-  if (std::exchange(state_.save, false)) {
-    if (auto ok = document().save(state_.save_as); !ok)
-      say(ok.error());
-    else
-      say(state_.save_as + " written");
   }
   if (std::exchange(state_.screenshot, false)) take_photo();
   if (std::exchange(state_.copy_command, false)) {

@@ -4,8 +4,11 @@
 #include <future>
 #include <memory>
 
+#include "engine/view/file_watch.h"
+#include "engine/view/film_recorder.h"
 #include "engine/view/orbit_camera.h"
 #include "engine/view/panels.h"
+#include "engine/view/preferences.h"
 #include "engine/view/viewer.h"
 
 namespace sinew {
@@ -18,7 +21,11 @@ class ViewerSession {
     state_.save_as = "scene.json";
   }
 
+  /// Goes on from the last run, and keeps what the next one goes on from in `file`.
+  void go_on_from(const Preferences& preferences, const std::filesystem::path& file);
   Result<void> open(const SceneOptions& scene, std::vector<std::string>& problems);
+  /// Shows a message.
+  void tell(const std::string& message) { say(message, true); }
   Result<ViewerReport> run(Window& window);
 
  private:
@@ -44,9 +51,22 @@ class ViewerSession {
   void take_edit(const Result<Touched>& done, const std::string& said);
   void look_from(const OrbitCamera& camera);
   void choose_view(View view);
+  void toggle_projection();
   void take_photo();
+
+  // viewer_files.cpp
   void open_beside(const std::string& file);
   void take_opened();
+  bool follow_disk();
+  void save();
+  void take_file_requests(Window& window);
+  void keep_preferences(const Window& window);
+  void remember(const std::string& file);
+
+  // viewer_film.cpp
+  void start_recording();
+  void follow_recording();
+  void follow_library();
   void say(std::string message, bool is_error = false) {
     state_.message = std::move(message);
     state_.is_error = is_error;
@@ -54,6 +74,10 @@ class ViewerSession {
   }
   void say(const Error& error) { say(error.message, true); }
   Result<void> show_frame(Window& window);
+  /// True while anything runs beside the window.
+  bool works_beside() const {
+    return opening_.valid() || recording_.running() || state_.motion.browser.task().running();
+  }
 
   Device& device_;
   ViewerOptions options_;
@@ -62,9 +86,16 @@ class ViewerSession {
   std::unique_ptr<Shown> shown_;
   std::future<Result<Stage>> opening_;
   SceneOptions opening_options_;
-  bool bounds_stale_ = false;  ///< the maker's bounds are those before the last poses
-  bool stale_ = true;          ///< the picture is not that of the document any more
+  bool reloading_ = false;  ///< what is being opened is the file that is shown
+  Camera camera_in_file_;   ///< as the file was opened
+  FileWatch disk_;
+  Task<CaptureReport> recording_;
+  Preferences preferences_;
+  std::filesystem::path preferences_file_;  ///< empty: none are kept
+  bool bounds_stale_ = false;               ///< the maker's bounds are those before the last poses
+  bool stale_ = true;                       ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
+  PictureArea drawn_area_;
 };
 
 }  // namespace sinew
