@@ -97,9 +97,11 @@ void draw_residual(ImDrawList& draw, const PlottedCurve& curve, PlotScale scale,
   scale.corner.y = top;
   scale.size.y = residual_height;
   draw_ground(draw, scale, "", false);
+  draw.PushClipRect(pixel(scale.corner), pixel(scale.corner + scale.size), true);
   for (std::size_t i = 0; i < curve.times.size(); ++i)
     draw.PathLineTo(pixel(scale.to_pixel(curve.times[i], curve.samples[i] - curve.value(curve.times[i]))));
   draw.PathStroke(residual_colour, 0, 1.2f);
+  draw.PopClipRect();
   draw_caption(draw, pixel(scale.corner), "residual");
 }
 

@@ -76,6 +76,10 @@ void set_style() {
   style.Colors[ImGuiCol_FrameBg] = {0.20f, 0.22f, 0.25f, 1.0f};
   style.Colors[ImGuiCol_SliderGrab] = style.Colors[ImGuiCol_CheckMark] = {0.93f, 0.55f, 0.35f, 1.0f};
   style.Colors[ImGuiCol_SliderGrabActive] = {1.0f, 0.65f, 0.45f, 1.0f};
+  style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = {0.17f, 0.19f, 0.22f, 1.0f};
+  style.Colors[ImGuiCol_HeaderActive] = style.Colors[ImGuiCol_HeaderHovered] = {0.31f, 0.35f, 0.41f, 1.0f};
+  style.Colors[ImGuiCol_ButtonActive] = style.Colors[ImGuiCol_ButtonHovered] = {0.31f, 0.35f, 0.41f, 1.0f};
+  style.Colors[ImGuiCol_FrameBgActive] = style.Colors[ImGuiCol_FrameBgHovered] = {0.25f, 0.28f, 0.32f, 1.0f};
   style.Colors[ImGuiCol_Header] = {0.24f, 0.27f, 0.32f, 1.0f};
   style.Colors[ImGuiCol_Button] = {0.24f, 0.27f, 0.32f, 1.0f};
 }

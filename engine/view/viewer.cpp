@@ -15,6 +15,8 @@ using Clock = std::chrono::steady_clock;
 /// The interface needs some frames after the last event to come to rest.
 constexpr int frames_to_rest = 3;
 constexpr double capped_seconds = 1.0 / 60.0;
+/// Before a measured run: devices make shaders ready when they first draw.
+constexpr int warming_frames = 3;
 /// Between two looks at what runs beside the window; and, where nothing does, at the file that is shown.
 constexpr double progress_seconds = 0.05, idle_seconds = 0.5;
 
@@ -109,11 +111,13 @@ Result<ViewerReport> ViewerSession::run(Window& window) {
   set_style();
   ViewerReport report;
   std::vector<double> times;
-  const Clock::time_point begun = Clock::now();
-  Clock::time_point last = begun;
+  Clock::time_point begun = Clock::now(), last = begun;
   int to_rest = frames_to_rest;
   const bool measured = options_.frames > 0;
   if (measured) state_.playback.playing = true;
+  for (int i = 0; measured && i < warming_frames; ++i)
+    if (auto ok = show_frame(window); !ok) return pass_on(std::move(ok));
+  begun = last = Clock::now();
   while (!window.is_closing() && (!measured || report.frames < options_.frames)) {
     const bool moving = state_.playback.playing || measured, works = works_beside();
     window.take_events(!moving && to_rest <= 0, works ? progress_seconds : idle_seconds);

@@ -272,7 +272,7 @@ Result<void> Window::show(const Renderer& renderer, std::span<const DockedPanel>
     impl_->swapchain->resize(size.width, size.height);
     WindowContent content;
     const Target& picture = picture_target(renderer);
-    content.picture = *picture.colour.image;
+    content.picture = *picture_image(renderer).image;
     content.format = picture.colour_format;
     content.size = vk::Extent2D(picture.width, picture.height);
     impl_->panels.take(*ImGui::GetDrawData(), docked, size.width, size.height, impl_->swapchain->generation(), content);
