@@ -4,8 +4,11 @@
 
 #include <tbb/global_control.h>
 
+#include <map>
+
 #include <gtest/gtest.h>
 
+#include "engine/body/figure.h"
 #include "engine/fit/bound_model.h"
 #include "engine/fit/random_poses.h"
 #include "engine/fit/weight_run.h"
@@ -178,6 +181,59 @@ TEST(AutomaticWeights, TheNumberOfThreadsChangesNothing) {
   ASSERT_EQ(many.influences.entries.size(), single.influences.entries.size());
   for (std::size_t i = 0; i < many.influences.entries.size(); ++i)
     EXPECT_EQ(many.influences.entries[i].weight, single.influences.entries[i].weight);
+}
+
+TEST(AutomaticWeights, ASymmetricBodyIsBoundAlikeOnBothSides) {
+  BodyOptions options;
+  options.vertices = 1900;
+  options.joints = 37;
+  AutomaticWeightReport report;
+  const Model bound = bound_anew(build_figure(options).value(), report);
+  const SkinnedShape shape = skinned_shapes(bound).front();
+  const auto place = [](const Vec3& p) { return std::tuple(std::abs(p.x), p.y, p.z); };
+  std::map<std::tuple<double, double, double>, std::map<std::string, double>> left;
+  const auto weights_of = [&](std::size_t v, bool mirrored) {
+    std::map<std::string, double> weights;
+    for (const Influence& influence : influences_of(shape.influences, v)) {
+      std::string name = bound.nodes[bound.skins[0].joints[influence.joint]].name;
+      if (mirrored && name.starts_with("l_"))
+        name[0] = 'r';
+      else if (mirrored && name.starts_with("r_"))
+        name[0] = 'l';
+      weights[name] = influence.weight;
+    }
+    return weights;
+  };
+  for (std::size_t v = 0; v < shape.positions.size(); ++v)
+    if (shape.positions[v].x > 0.0) left[place(shape.positions[v])] = weights_of(v, true);
+  std::size_t compared = 0;
+  for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+    if (shape.positions[v].x >= 0.0) continue;
+    const auto partner = left.find(place(shape.positions[v]));
+    ASSERT_NE(partner, left.end());
+    for (const auto& [name, weight] : weights_of(v, false)) {
+      // The sparse solver's rounding, which eliminates the two sides in different orders.
+      EXPECT_NEAR(weight, partner->second.contains(name) ? partner->second.at(name) : 0.0, 1e-6) << v << " " << name;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 800u);
+  for (const std::vector<std::string>* names : {&report.outside, &report.idle})
+    for (std::string name : *names) {
+      if (name[1] != '_') continue;
+      name[0] = name[0] == 'l' ? 'r' : 'l';
+      EXPECT_NE(std::find(names->begin(), names->end(), name), names->end()) << name;
+    }
+}
+
+TEST(AutomaticWeights, PointsWithoutASurfaceAreRefused) {
+  Model points = tube();
+  for (Primitive& primitive : points.meshes[0].primitives) primitive.indices.clear();
+  auto bound = bound_model(points, points);
+  ASSERT_TRUE(bound);
+  const auto failed = set_automatic_weights({}, *bound);
+  ASSERT_FALSE(failed);
+  EXPECT_NE(failed.error().message.find("no triangles"), std::string::npos) << failed.error().message;
 }
 
 TEST(BoundModel, WhatHangsOnAJointStays) {
