@@ -33,6 +33,47 @@ TEST_F(ViewMotion, ADoubleClickedClipIsTheCharactersMotion) {
   EXPECT_NE(scene.at("characters")[0].at("motion").dump().find("chuckle"), std::string::npos) << scene.dump();
 }
 
+// The arm bends by 120 degrees until frame 24; the key there is dragged up, and that is one edit.
+TEST_F(ViewMotion, AKeyIsDraggedInTheCurveEditorAndUndone) {
+  write("bend.json", R"({"sinew": 1, "frames": [0, 47], "characters": [{"model": "builtin:woman",
+      "keys": {"leftLowerArm": [[0, [0, 0, 0]], [24, [0, -120, 0]]]}}]})");
+  const auto saved_degrees = [&] {
+    const Bytes saved = read("bend.json");
+    const nlohmann::json scene = nlohmann::json::parse(saved.begin(), saved.end());
+    return scene.at("characters")[0].at("keys").at("leftLowerArm")[1][1][1].get<double>();
+  };
+  RunningProgram program({"view", "bend.json", "--size", "1280x720", "--validate"}, in_window());
+  wait_for_window();
+  press("m");
+  const auto click = [&](int x, int y) {
+    act(fmt::format("mousemove {} {}", x, y));
+    std::this_thread::sleep_for(300ms);
+    act("click 1");
+    std::this_thread::sleep_for(500ms);
+  };
+  click(1100, 426);  // leftLowerArm
+  click(700, 327);   // the scene's keys
+  click(723, 354);   // of y
+  act("mousemove 801 581");
+  std::this_thread::sleep_for(300ms);
+  act("mousedown 1");
+  for (int y = 575; y >= 521; y -= 6) {
+    act(fmt::format("mousemove 801 {}", y));
+    std::this_thread::sleep_for(60ms);
+  }
+  std::this_thread::sleep_for(300ms);
+  act("mouseup 1");
+  std::this_thread::sleep_for(500ms);
+  press("ctrl+s");
+  // The plot's 230 lines show 144 degrees: 60 of them are 37.6.
+  EXPECT_NEAR(saved_degrees(), -120.0 + 37.6, 6.0);
+  press("ctrl+z");
+  press("ctrl+s");
+  EXPECT_DOUBLE_EQ(saved_degrees(), -120.0);
+  const ProgramResult result = quit(program);
+  EXPECT_EQ(result.exit_code, 0) << result;
+}
+
 /// Anything a hand can do to keyboard and mouse, but close the window.
 std::string random_input(std::mt19937& random) {
   const auto one_of = [&](std::initializer_list<const char*> words) {
