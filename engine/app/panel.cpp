@@ -146,6 +146,10 @@ Result<Picture> PanelMaker::near_picture(int frame, double orbit, const Font* fo
   // Whatever stands between the camera and the joint, or behind it, is seen as in the whole picture.
   shot.viewpoint.near_plane = 0.02 * distance;
   shot.viewpoint.far_plane += glm::length(moved) + distance;
+  if (shot.viewpoint.is_parallel()) {
+    shot.viewpoint.parallel_height = 2.0 * zoom_.reach;
+    shot.viewpoint.near_plane = -shot.viewpoint.far_plane;
+  }
   auto picture = near_->picture(frame, shot);
   if (picture && figure_.overlay.painted())
     if (auto ok = draw_overlay(*picture, font, shot.viewpoint, content(frame)); !ok) return pass_on(std::move(ok));

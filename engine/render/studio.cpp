@@ -101,6 +101,7 @@ Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scen
       floor_corners.push_back(studio.floor_centre + Vec3(away.x, 0.0, away.y));
       const double depth = glm::dot(viewpoint.eye - floor_corners.back(), viewpoint.back);
       studio.viewpoint.far_plane = std::max(studio.viewpoint.far_plane, 1.01 * depth);
+      if (viewpoint.is_parallel()) studio.viewpoint.near_plane = std::min(studio.viewpoint.near_plane, depth);
     }
   // A bulge or a strand of hair may leave the box a little.
   Bounds grown = scene;

@@ -19,6 +19,7 @@ Touched touched(const Scene& a, const Scene& b) {
     one.keys = b.characters[i].keys;
     one.expressions = b.characters[i].expressions;
     one.regions = b.characters[i].regions;
+    one.motion = b.characters[i].motion;
     one.position = b.characters[i].position;
     one.turn = b.characters[i].turn;
     if (!(one == b.characters[i])) return Touched::all;

@@ -11,7 +11,7 @@ namespace sinew {
 /// What an edit touched, and so what has to be made anew to show it.
 enum class Touched {
   look,   ///< camera and look alone
-  poses,  ///< joints' keys: the stage's bounds, nothing on the device
+  poses,  ///< joints' keys, motions: the stage's bounds, nothing on the device
   all,    ///< characters, muscles, clips: everything on the device
 };
 

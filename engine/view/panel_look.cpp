@@ -66,6 +66,10 @@ void draw_look(const Document& document, ViewState& state) {
   }
   if (ImGui::SmallButton("all")) state.frame_all = true;
   show_tip("F: frames everything");
+  ImGui::SameLine();
+  const bool parallel = document.scene().camera.projection == Projection::orthographic;
+  if (ImGui::SmallButton(parallel ? "parallel" : "persp")) state.toggle_projection = true;
+  show_tip("5: perspective or parallel rays");
 }
 
 void draw_deformer(const Document& document, ViewState& state) {

@@ -5,11 +5,17 @@
 
 namespace sinew {
 
+void draw_file(const Document& document, ViewState& state);
 void draw_look(const Document& document, ViewState& state);
 void draw_deformer(const Document& document, ViewState& state);
 void draw_muscles(const Document& document, ViewState& state);
 void draw_pose(const Document& document, ViewState& state);
 void draw_time(const Document& document, ViewState& state);
+void draw_motion(const Document& document, ViewState& state);
+void draw_curves(const Document& document, ViewState& state);
+
+/// Asks for a clip of the library as the motion of the character that is chosen.
+void ask_for_clip(const Document& document, ViewState& state, const std::string& clip);
 
 /// Explains the item before it to a pointer that rests on it.
 void show_tip(const std::string& text);

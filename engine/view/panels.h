@@ -2,12 +2,15 @@
 /// The viewer's panels, over the picture. They read and change a ViewState; what they ask for is carried out after the
 /// frame.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/gpu/device.h"
 #include "engine/view/document.h"
+#include "engine/view/interface_changes.h"
+#include "engine/view/motion_panel.h"
 #include "engine/view/playback.h"
 
 namespace sinew {
@@ -27,6 +30,17 @@ struct ViewState {
   std::string device;  ///< name, and that it is a CPU
   double frames_a_second = 0.0;
   std::vector<CharacterState> states;  ///< [characters] of the frame that is shown
+  std::vector<DockedPanel> docked;     ///< that were drawn
+  MotionPanel motion;
+
+  // Files: viewer_files.cpp.
+  std::filesystem::path folder;     ///< where a file was last opened or saved
+  std::vector<std::string> recent;  ///< files, the last opened first
+  std::string open_field;           ///< name in the open field
+  bool changed_on_disk = false;     ///< the scene's file is newer than the edits that are shown
+  std::string film;                 ///< name in the record field
+  std::optional<double> recorded;   ///< share of the film that is being recorded
+  bool reload = false, record = false, stop_recording = false, toggle_projection = false;
 
   /// An edit of the scene that a panel made.
   struct Edit {
