@@ -9,7 +9,11 @@ void draw_look(const Document& document, ViewState& state);
 void draw_deformer(const Document& document, ViewState& state);
 void draw_muscles(const Document& document, ViewState& state);
 void draw_pose(const Document& document, ViewState& state);
+void draw_face(const Document& document, ViewState& state);
 void draw_time(const Document& document, ViewState& state);
+
+/// True where a character of the scene has a face with regions.
+bool has_face(const Document& document);
 
 /// Explains the item before it to a pointer that rests on it.
 void show_tip(const std::string& text);

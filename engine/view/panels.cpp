@@ -49,6 +49,20 @@ void draw_file_section(const Document& document, ViewState& state) {
   show_tip("P: the picture without the panels, as PNG beside the scene");
 }
 
+/// What moves the characters, a tab a subject.
+void draw_acting(const Document& document, ViewState& state) {
+  if (!ImGui::BeginTabBar("acting")) return;
+  if (ImGui::BeginTabItem("Pose")) {
+    draw_pose(document, state);
+    ImGui::EndTabItem();
+  }
+  if (has_face(document) && ImGui::BeginTabItem("Face")) {
+    draw_face(document, state);
+    ImGui::EndTabItem();
+  }
+  ImGui::EndTabBar();
+}
+
 void draw_help(ViewState& state) {
   if (!state.help) return;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
@@ -115,7 +129,7 @@ void draw_panels(const Document& document, ViewState& state) {
     if (ImGui::CollapsingHeader("Muscles", ImGuiTreeNodeFlags_DefaultOpen)) draw_muscles(document, state);
   }
   ImGui::End();
-  if (begin_panel("pose", {whole.x - side_width - gap, gap}, {side_width, height})) draw_pose(document, state);
+  if (begin_panel("act", {whole.x - side_width - gap, gap}, {side_width, height})) draw_acting(document, state);
   ImGui::End();
   if (begin_panel("time", {gap, whole.y - bar_height - gap}, {whole.x - 2.0f * gap, bar_height}))
     draw_time(document, state);

@@ -8,6 +8,7 @@
 
 #include "engine/gpu/device.h"
 #include "engine/view/document.h"
+#include "engine/view/face_picture.h"
 #include "engine/view/playback.h"
 
 namespace sinew {
@@ -27,6 +28,16 @@ struct ViewState {
   std::string device;  ///< name, and that it is a CPU
   double frames_a_second = 0.0;
   std::vector<CharacterState> states;  ///< [characters] of the frame that is shown
+  const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
+
+  /// A handle of the face that is being dragged, and all as it was before.
+  struct FaceDrag {
+    FaceHandle handle;
+    ShownFace face;
+    Scene scene;
+    Vec2 from{0.0};  ///< of the pointer, pixels
+  };
+  std::optional<FaceDrag> face_drag;
 
   /// An edit of the scene that a panel made.
   struct Edit {

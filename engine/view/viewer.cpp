@@ -10,6 +10,7 @@
 #include "engine/core/interrupt.h"
 #include "engine/io/png.h"
 #include "engine/render/text.h"
+#include "engine/view/head_work.h"
 #include "engine/view/orbit_camera.h"
 #include "engine/view/panels.h"
 
@@ -71,6 +72,7 @@ class Viewer {
   ViewState state_;
   PictureSize size_;
   std::unique_ptr<Shown> shown_;
+  HeadWork heads_;
   std::future<Result<Stage>> opening_;
   SceneOptions opening_options_;
   bool bounds_stale_ = false;  ///< the maker's bounds are those before the last poses
@@ -101,6 +103,7 @@ Result<void> Viewer::show_stage(Stage stage, const SceneOptions& scene, std::vec
   if (!document) return pass_on(std::move(document));
   auto shown = std::make_unique<Shown>(std::move(*document));
   if (auto ok = make_pictures(*shown, problems); !ok) return ok;
+  heads_.drop();
   shown_ = std::move(shown);
   state_.file = scene.scene.empty() ? "the embedded scene" : scene.scene;
   const bool is_scene_file = std::filesystem::path(scene.scene).extension() == ".json";
@@ -273,12 +276,14 @@ void Viewer::take_opened() {
 void Viewer::take_requests(Window& window) {
   for (const auto& file : window.take_dropped_files()) open_beside(file.string());
   take_opened();
-  if (const auto edit = std::exchange(state_.edit, std::nullopt)) {
-    auto done = document().edit(edit->scene, edit->label, edit->merge);
-    take_edit(done, edit->label);
-  }
+  const auto edit = std::exchange(state_.edit, std::nullopt);
+  if (edit && !heads_.take(document(), edit->scene, edit->label, edit->merge))
+    take_edit(document().edit(edit->scene, edit->label, edit->merge), edit->label);
+  if (const auto drawn = heads_.finish(document())) take_edit(*drawn, heads_.label());
+  state_.wanted_head = heads_.wanted();
   const bool ended = std::exchange(state_.edit_ended, false);
-  if (ended) document().seal();
+  if (ended) heads_.is_busy() ? heads_.seal() : document().seal();
+  if (state_.undo || state_.redo) heads_.drop();
   if (std::exchange(state_.undo, false) && document().can_undo()) {
     const std::string label = document().undo_label();
     take_edit(document().undo(), "undone: " + label);
@@ -356,7 +361,7 @@ Result<ViewerReport> Viewer::run(Window& window) {
   const bool measured = options_.frames > 0;
   if (measured) state_.playback.playing = true;
   while (!window.is_closing() && (!measured || report.frames < options_.frames)) {
-    const bool moving = state_.playback.playing || opening_.valid() || measured;
+    const bool moving = state_.playback.playing || opening_.valid() || heads_.is_busy() || measured;
     window.take_events(!moving && to_rest <= 0);
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
     if (window.had_events()) to_rest = frames_to_rest;
