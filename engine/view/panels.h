@@ -9,6 +9,7 @@
 #include "engine/gpu/device.h"
 #include "engine/view/document.h"
 #include "engine/view/face_picture.h"
+#include "engine/view/listed_joints.h"
 #include "engine/view/playback.h"
 
 namespace sinew {
@@ -18,6 +19,9 @@ struct ViewState {
   Playback playback;
   std::string joint;          ///< ListedJoint::name of the joint that is chosen; empty: none
   std::size_t character = 0;  ///< whose
+  bool show_joint = false;    ///< the list is to scroll to it: it was chosen in the picture
+  bool gizmo = true;          ///< the chosen joint has rings that turn it
+  bool reach = false;         ///< hands and feet have handles
   std::string filter;         ///< joints whose names hold this
   bool panels = true;         ///< shown; Tab hides them
   bool help = false;
@@ -27,7 +31,7 @@ struct ViewState {
   bool is_error = false;
   std::string device;  ///< name, and that it is a CPU
   double frames_a_second = 0.0;
-  std::vector<CharacterState> states;  ///< [characters] of the frame that is shown
+  std::vector<CharacterState> states;     ///< [characters] of the frame that is shown
   const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
 
   /// A handle of the face that is being dragged, and all as it was before.
@@ -62,13 +66,5 @@ void set_style();
 
 /// Draws all panels for this frame.
 void draw_panels(const Document& document, ViewState& state);
-
-/// Joints of a character in the order of its hierarchy, with how deep each lies.
-struct ListedJoint {
-  std::string name;   ///< what the scene's keys call it, else the node's name
-  std::string shown;  ///< the node's name, the humanoid name beside it where it has one
-  int depth = 0;
-};
-std::vector<ListedJoint> listed_joints(const StagedCharacter& character);
 
 }  // namespace sinew

@@ -13,6 +13,7 @@
 #include "engine/view/head_work.h"
 #include "engine/view/orbit_camera.h"
 #include "engine/view/panels.h"
+#include "engine/view/picture_tools.h"
 
 namespace sinew {
 namespace {
@@ -73,6 +74,7 @@ class Viewer {
   PictureSize size_;
   std::unique_ptr<Shown> shown_;
   HeadWork heads_;
+  PictureTools tools_;
   std::future<Result<Stage>> opening_;
   SceneOptions opening_options_;
   bool bounds_stale_ = false;  ///< the maker's bounds are those before the last poses
@@ -141,6 +143,7 @@ void Viewer::choose_view(View view) {
 
 void Viewer::take_pointer() {
   const ImGuiIO& io = ImGui::GetIO();
+  if (tools_.work(document(), state_, maker().shot(state_.playback.shown()).viewpoint) && io.MouseWheel == 0.0f) return;
   if (io.WantCaptureMouse) return;
   const double height = std::max(1.0f, io.DisplaySize.y);
   OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
