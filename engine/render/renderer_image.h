@@ -6,7 +6,11 @@
 
 namespace sinew {
 
-/// Holds the picture of the last draw_for_window(), in the layout eTransferSrcOptimal. Another image after resize().
+/// Holds the picture of the last draw_for_window() or put_picture(), in the layout eTransferSrcOptimal. Another image
+/// after resize().
 const DeviceImage& picture_image(const Renderer& renderer);
+
+/// Puts a picture of the renderer's size there in place of what it drew last. Fails as device_failed.
+Result<void> put_picture(VulkanDevice& vulkan, const Renderer& renderer, const Picture& picture);
 
 }  // namespace sinew

@@ -9,9 +9,17 @@
 namespace sinew {
 namespace {
 
+/// How the mesh's edges are drawn, which is part of drawing the surface.
+std::pair<bool, bool> wires(const Look& look) {
+  const auto has = [&](Overlay wanted) { return std::ranges::find(look.overlay, wanted) != look.overlay.end(); };
+  return {has(Overlay::wire), has(Overlay::wire_all)};
+}
+
 /// What differs between two scenes, at most.
 Touched touched(const Scene& a, const Scene& b) {
-  if (a.look.joint != b.look.joint || a.look.shading != b.look.shading) return Touched::all;
+  if (a.look.joint != b.look.joint || a.look.shading != b.look.shading || a.look.compare != b.look.compare ||
+      wires(a.look) != wires(b.look))
+    return Touched::all;
   if (a.fps != b.fps || a.frames != b.frames || a.characters.size() != b.characters.size()) return Touched::all;
   Touched most = Touched::look;
   for (std::size_t i = 0; i < a.characters.size(); ++i) {

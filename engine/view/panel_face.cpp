@@ -5,16 +5,14 @@
 #include <imgui.h>
 
 #include "engine/model/scene_words.h"
+#include "engine/view/face_canvas.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
 namespace {
 
-constexpr ImU32 paper = IM_COL32(233, 222, 205, 255), line = IM_COL32(70, 52, 46, 255),
-                lips = IM_COL32(196, 110, 104, 255), mouth = IM_COL32(92, 36, 40, 255), white = IM_COL32_WHITE,
-                iris = IM_COL32(74, 104, 128, 255), hair = IM_COL32(92, 66, 52, 255),
-                handle = IM_COL32(238, 140, 89, 255), handle_near = IM_COL32(255, 255, 255, 255),
-                limit = IM_COL32(36, 110, 190, 255);
+constexpr ImU32 handle = IM_COL32(238, 140, 89, 255), handle_near = IM_COL32(255, 255, 255, 255),
+                handle_edge = IM_COL32(70, 52, 46, 255), limit = IM_COL32(36, 110, 190, 255);
 constexpr float handle_radius = 4.5f, handle_reach = 9.0f;
 
 /// The character whose face is shown: the chosen one, else the first that has one.
@@ -27,97 +25,8 @@ std::optional<std::size_t> faced_character(const Document& document, const ViewS
   return static_cast<std::size_t>(found - characters.begin());
 }
 
-/// From drawing units to pixels.
-struct Sheet {
-  ImVec2 corner;  ///< upper left
-  float scale;
-
-  ImVec2 at(const Vec2& p) const {
-    return {corner.x + scale * static_cast<float>(p.x - face_picture_low.x),
-            corner.y + scale * static_cast<float>(face_picture_high.y - p.y)};
-  }
-  std::vector<ImVec2> at(const std::vector<Vec2>& points) const {
-    std::vector<ImVec2> out;
-    for (const Vec2& p : points) out.push_back(at(p));
-    return out;
-  }
-};
-
-void stroke(ImDrawList& draw, const std::vector<ImVec2>& points, ImU32 colour, float width, bool closed = false) {
-  draw.AddPolyline(points.data(), static_cast<int>(points.size()), colour,
-                   closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
-}
-
-/// Fills the area between two lines that run the same way.
-void fill_between(ImDrawList& draw, const std::vector<ImVec2>& upper, const std::vector<ImVec2>& lower, ImU32 colour) {
-  for (std::size_t i = 0; i + 1 < std::min(upper.size(), lower.size()); ++i)
-    draw.AddQuadFilled(upper[i], upper[i + 1], lower[i + 1], lower[i], colour);
-}
-
-void draw_eye(ImDrawList& draw, const Sheet& sheet, const FacePicture::Eye& eye) {
-  const std::vector<ImVec2> upper = sheet.at(eye.upper), lower = sheet.at(eye.lower);
-  fill_between(draw, upper, lower, white);
-  // The iris between the lids.
-  const ImVec2 centre = sheet.at(eye.iris);
-  const float r = sheet.scale * static_cast<float>(eye.iris_radius);
-  const auto lid_at = [](const std::vector<ImVec2>& lid, float x) {
-    for (std::size_t i = 0; i + 1 < lid.size(); ++i)
-      if (x <= lid[i + 1].x) {
-        const float t = std::clamp((x - lid[i].x) / std::max(lid[i + 1].x - lid[i].x, 1e-3f), 0.0f, 1.0f);
-        return lid[i].y + t * (lid[i + 1].y - lid[i].y);
-      }
-    return lid.back().y;
-  };
-  std::vector<ImVec2> top, bottom;
-  for (int i = -8; i <= 8; ++i) {
-    const float x = centre.x + r * static_cast<float>(i) / 8.0f,
-                half = std::sqrt(std::max(0.0f, r * r - (x - centre.x) * (x - centre.x)));
-    const float over = lid_at(upper, x), under = std::max(lid_at(lower, x), over);
-    top.emplace_back(x, std::clamp(centre.y - half, over, under));
-    bottom.emplace_back(x, std::clamp(centre.y + half, over, under));
-  }
-  fill_between(draw, top, bottom, iris);
-  stroke(draw, lower, line, 1.2f);
-  stroke(draw, upper, line, 2.2f);
-}
-
-void draw_lines(ImDrawList& draw, const Sheet& sheet, const FacePicture& picture) {
-  const std::vector<ImVec2> outline = sheet.at(picture.outline);
-  const ImVec2 high_left(outline.front().x, sheet.corner.y), high_right(outline.back().x, sheet.corner.y);
-  // The outline is convex, with the open top closed above the picture's edge.
-  std::vector<ImVec2> skin = outline;
-  skin.push_back(high_right);
-  skin.push_back(high_left);
-  draw.AddConvexPolyFilled(skin.data(), static_cast<int>(skin.size()), paper);
-  stroke(draw, outline, line, 1.5f);
-  for (const FacePicture::Eye& eye : picture.eyes) draw_eye(draw, sheet, eye);
-  for (const std::vector<Vec2>& brow : picture.brows) {
-    // Outlines of brows run along one edge and back along the other.
-    const std::vector<ImVec2> points = sheet.at(brow);
-    for (std::size_t i = 0, n = points.size(); i + 1 < n / 2; ++i)
-      draw.AddQuadFilled(points[i], points[i + 1], points[n - 2 - i], points[n - 1 - i], hair);
-    stroke(draw, points, hair, 1.5f, true);
-  }
-  stroke(draw, sheet.at(picture.nose), line, 1.3f);
-  const std::vector<ImVec2> outer = sheet.at(picture.lip_outer), inner = sheet.at(picture.lip_inner);
-  const auto halves = [](const std::vector<ImVec2>& closed) {
-    const auto half = static_cast<std::ptrdiff_t>(closed.size() / 2);
-    std::pair<std::vector<ImVec2>, std::vector<ImVec2>> out{{closed.begin(), closed.begin() + half + 1},
-                                                            {closed.begin() + half, closed.end()}};
-    out.second.push_back(closed.front());
-    std::ranges::reverse(out.second);
-    return out;
-  };
-  const auto [outer_top, outer_bottom] = halves(outer);
-  const auto [inner_top, inner_bottom] = halves(inner);
-  fill_between(draw, outer_top, outer_bottom, lips);
-  fill_between(draw, inner_top, inner_bottom, mouth);
-  stroke(draw, outer, line, 1.0f, true);
-  stroke(draw, inner, line, 1.2f, true);
-}
-
 /// The handle under the pointer, or -1.
-int near_handle(const Sheet& sheet, const std::vector<FaceHandle>& handles) {
+int near_handle(const FaceSheet& sheet, const std::vector<FaceHandle>& handles) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   int nearest = -1;
   float least = handle_reach * handle_reach;
@@ -129,16 +38,18 @@ int near_handle(const Sheet& sheet, const std::vector<FaceHandle>& handles) {
   return nearest;
 }
 
-void draw_handles(ImDrawList& draw, const Sheet& sheet, const FacePicture& picture, const ShownFace& face, int near) {
+void draw_handles(ImDrawList& draw, const FaceSheet& sheet, const FacePicture& picture, const ShownFace& face,
+                  int near) {
   if (near >= 0) {
     std::vector<ImVec2> reach = sheet.at(picture.handles[static_cast<std::size_t>(near)].reach(face));
-    stroke(draw, reach, limit, 1.5f, reach.size() > 2);
+    draw.AddPolyline(reach.data(), static_cast<int>(reach.size()), limit,
+                     reach.size() > 2 ? ImDrawFlags_Closed : ImDrawFlags_None, 1.5f);
     for (const ImVec2& end : reach) draw.AddCircleFilled(end, 2.0f, limit);
   }
   for (std::size_t i = 0; i < picture.handles.size(); ++i) {
     const ImVec2 p = sheet.at(picture.handles[i].at);
     draw.AddCircleFilled(p, handle_radius, static_cast<int>(i) == near ? handle_near : handle);
-    draw.AddCircle(p, handle_radius, line, 0, 1.2f);
+    draw.AddCircle(p, handle_radius, handle_edge, 0, 1.2f);
   }
 }
 
@@ -152,7 +63,7 @@ std::string handle_tip(const FaceHandle& handle, const ShownFace& face) {
   return text + "\ndouble click: back to rest";
 }
 
-void drag_handles(const Document& document, ViewState& state, std::size_t character, const Sheet& sheet,
+void drag_handles(const Document& document, ViewState& state, std::size_t character, const FaceSheet& sheet,
                   const FacePicture& picture, const ShownFace& face, int near) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (near >= 0 && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -185,10 +96,12 @@ void draw_picture(const Document& document, ViewState& state, std::size_t charac
   const StagedCharacter& staged = document.stage().characters[character];
   const FacePicture picture = face_picture(face, staged.mesh.face->guides);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const float scale = width / static_cast<float>(face_picture_high.x - face_picture_low.x);
-  const float height = scale * static_cast<float>(face_picture_high.y - face_picture_low.y);
-  const Sheet sheet{corner, scale};
+  // On low windows the picture leaves half of the panel to the sliders.
+  const float width = ImGui::GetContentRegionAvail().x, most = 0.5f * ImGui::GetWindowHeight();
+  const float across = static_cast<float>(face_picture_high.x - face_picture_low.x),
+              down = static_cast<float>(face_picture_high.y - face_picture_low.y);
+  const float scale = std::min(width / across, most / down), height = scale * down;
+  const FaceSheet sheet{{corner.x + 0.5f * (width - scale * across), corner.y}, scale};
   ImGui::InvisibleButton("face picture", {width, height});
   int near = ImGui::IsItemHovered() ? near_handle(sheet, picture.handles) : -1;
   drag_handles(document, state, character, sheet, picture, face, near);
@@ -198,7 +111,7 @@ void draw_picture(const Document& document, ViewState& state, std::size_t charac
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(corner, {corner.x + width, corner.y + height}, true);
   draw.AddRectFilled(corner, {corner.x + width, corner.y + height}, IM_COL32(52, 58, 66, 255), 4.0f);
-  draw_lines(draw, sheet, picture);
+  draw_face_lines(draw, sheet, picture);
   draw_handles(draw, sheet, picture, face, near);
   draw.PopClipRect();
   if (near >= 0) ImGui::SetTooltip("%s", handle_tip(picture.handles[static_cast<std::size_t>(near)], face).c_str());
@@ -221,9 +134,11 @@ void in_columns(const char* id, std::size_t count, Draw draw) {
 /// A slider with its name inside; true while it is moved.
 bool named_slider(const std::string& name, double& value, double low, double high, ViewState& state) {
   float shown = static_cast<float>(value);
-  const std::string format = name + "  %.2f";
+  const std::string format = name + " %.2f";
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 6.0f);
   const bool moved = ImGui::SliderFloat("##value", &shown, static_cast<float>(low), static_cast<float>(high),
                                         format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  ImGui::PopStyleVar();
   if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
   // What a float shows as two decimals is meant so.
   if (moved) value = std::round(1000.0 * static_cast<double>(shown)) / 1000.0;
@@ -277,7 +192,7 @@ void draw_head(const Document& document, ViewState& state, std::size_t character
   const auto stop = static_cast<std::size_t>(std::lround(age * double(age_names().size() - 1)));
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushID("age");
-  if (named_slider("age  " + age_names()[stop], age, 0.0, 1.0, state))
+  if (named_slider("age: " + age_names()[stop], age, 0.0, 1.0, state))
     ask("age", [&](Character& changed) { set_head_age(changed, frame, age); });
   ImGui::PopID();
   ImGui::EndDisabled();

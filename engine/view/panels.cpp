@@ -119,6 +119,7 @@ void show_tip(const std::string& text) {
 
 void draw_panels(const Document& document, ViewState& state) {
   draw_help(state);
+  state.extras.muscle = state.kept_muscle;
   if (!state.panels) return;
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float height = whole.y - bar_height - 3.0f * gap;

@@ -2,6 +2,7 @@
 /// The viewer's panels, over the picture. They read and change a ViewState; what they ask for is carried out after the
 /// frame.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,19 +12,23 @@
 #include "engine/view/face_picture.h"
 #include "engine/view/listed_joints.h"
 #include "engine/view/playback.h"
+#include "engine/view/window_picture.h"
 
 namespace sinew {
 
 /// What the panels show and what the user did in them.
 struct ViewState {
   Playback playback;
-  std::string joint;          ///< ListedJoint::name of the joint that is chosen; empty: none
-  std::size_t character = 0;  ///< whose
-  bool show_joint = false;    ///< the list is to scroll to it: it was chosen in the picture
-  bool gizmo = true;          ///< the chosen joint has rings that turn it
-  bool reach = false;         ///< hands and feet have handles
-  std::string filter;         ///< joints whose names hold this
-  bool panels = true;         ///< shown; Tab hides them
+  std::string joint;                        ///< ListedJoint::name of the joint that is chosen; empty: none
+  std::size_t character = 0;                ///< whose
+  bool show_joint = false;                  ///< the list is to scroll to it: it was chosen in the picture
+  bool gizmo = true;                        ///< the chosen joint has rings that turn it
+  bool reach = false;                       ///< hands and feet have handles
+  ViewExtras extras;                        ///< of the picture
+  std::optional<MuscleNumber> kept_muscle;  ///< whose region stays shown
+  std::array<std::string, 2> compared;      ///< names of a comparison's sides; empty: the scene compares nothing
+  std::string filter;                       ///< joints whose names hold this
+  bool panels = true;                       ///< shown; Tab hides them
   bool help = false;
   std::string file;     ///< what is open
   std::string save_as;  ///< name in the save field

@@ -1,13 +1,15 @@
 #include "engine/view/picture_tools.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <imgui.h>
 
 namespace sinew {
 namespace {
 
-constexpr double gizmo_pixels = 76.0, ring_reach = 7.0, joint_reach = 10.0, handle_reach = 11.0;
+constexpr double gizmo_pixels = 76.0, ring_reach = 7.0, joint_reach = 10.0, handle_reach = 11.0, divider_reach = 6.0;
 /// A click may wander so far.
 constexpr double click_pixels = 4.0;
 constexpr std::array<ImU32, 3> ring_colours{IM_COL32(226, 84, 76, 255), IM_COL32(92, 176, 88, 255),
@@ -42,16 +44,43 @@ std::optional<JointLimits> limits_of(const StagedCharacter& character, int node)
 bool PictureTools::work(const Document& document, ViewState& state, const Viewpoint& viewpoint) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 size(io.DisplaySize.x, io.DisplaySize.y);
-  const Sight sight{viewpoint, size, Screen(viewpoint, static_cast<int>(size.x), static_cast<int>(size.y)),
-                    Vec2(io.MousePos.x, io.MousePos.y), !io.WantCaptureMouse};
+  Sight sight{viewpoint, size, Screen(viewpoint, static_cast<int>(size.x), static_cast<int>(size.y)),
+              Vec2(io.MousePos.x, io.MousePos.y), !io.WantCaptureMouse};
   // Before the first picture, and after characters came or went, there is nothing to touch yet.
   if (state.states.size() != document.stage().characters.size()) return false;
-  if (turn(document, state, sight) || pull(document, state, sight)) {
+  // All are drawn; the one that the pointer is on keeps it from the others.
+  bool used = divide(state, sight);
+  sight.free = sight.free && !used;
+  used = pull(document, state, sight) || used;
+  sight.free = sight.free && !used;
+  used = turn(document, state, sight) || used;
+  if (used) {
     pressed_.reset();
     return true;
   }
   pick(document, state, sight);
   return false;
+}
+
+bool PictureTools::divide(ViewState& state, const Sight& sight) {
+  if (state.compared[0].empty()) return dividing_ = false;
+  const double x = state.extras.divider * sight.size.x;
+  const bool near = sight.free && !turning_ && !pulling_ && std::abs(sight.pointer.x - x) < divider_reach;
+  if (near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) dividing_ = true;
+  dividing_ = dividing_ && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (dividing_) state.extras.divider = std::clamp(sight.pointer.x / sight.size.x, 0.02, 0.98);
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const float at = static_cast<float>(state.extras.divider * sight.size.x), height = static_cast<float>(sight.size.y);
+  draw.AddLine({at, 0.0f}, {at, height}, ink, 4.0f);
+  draw.AddLine({at, 0.0f}, {at, height}, near || dividing_ ? bright : IM_COL32_WHITE, 2.0f);
+  const float down = 14.0f, pad = 6.0f;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const ImVec2 size = ImGui::CalcTextSize(state.compared[side].c_str());
+    const ImVec2 corner(side == 0 ? at - size.x - 2.0f * pad - 6.0f : at + 6.0f, down);
+    draw.AddRectFilled(corner, {corner.x + size.x + 2.0f * pad, corner.y + size.y + pad}, ink, 4.0f);
+    draw.AddText({corner.x + pad, corner.y + 0.5f * pad}, IM_COL32_WHITE, state.compared[side].c_str());
+  }
+  return near || dividing_;
 }
 
 bool PictureTools::turn(const Document& document, ViewState& state, const Sight& sight) {
@@ -130,7 +159,7 @@ bool PictureTools::pull(const Document& document, ViewState& state, const Sight&
   const Handle* near = nullptr;
   double least = handle_reach;
   for (const Handle& handle : shown)
-    if (const double away = glm::distance(handle.seen.at, sight.pointer); sight.free && away < least)
+    if (const double away = glm::distance(handle.seen.at, sight.pointer); sight.free && !turning_ && away < least)
       least = away, near = &handle;
   if (!pulling_ && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     pulling_ = {*near, near->seen.at - sight.pointer};

@@ -1,6 +1,6 @@
 #pragma once
 /// What the pointer does in the picture besides moving the camera: picks joints, turns them by rings, pulls hands and
-/// feet. ImGui's calls inside.
+/// feet, moves the line between a comparison's sides. ImGui's calls inside.
 
 #include "engine/view/gizmo.h"
 #include "engine/view/panels.h"
@@ -40,11 +40,13 @@ class PictureTools {
     Vec2 off;  ///< from the pointer to the handle
   };
 
+  bool divide(ViewState& state, const Sight& sight);
   bool turn(const Document& document, ViewState& state, const Sight& sight);
   bool pull(const Document& document, ViewState& state, const Sight& sight);
   void pick(const Document& document, ViewState& state, const Sight& sight);
   std::vector<Handle> handles(const Document& document, const ViewState& state, const Sight& sight) const;
 
+  bool dividing_ = false;  ///< the line between a comparison's sides is being dragged
   std::optional<Turning> turning_;
   std::optional<Pulling> pulling_;
   std::optional<Vec2> pressed_;  ///< where the button went down over the picture

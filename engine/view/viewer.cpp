@@ -14,6 +14,7 @@
 #include "engine/view/orbit_camera.h"
 #include "engine/view/panels.h"
 #include "engine/view/picture_tools.h"
+#include "engine/view/window_picture.h"
 
 namespace sinew {
 namespace {
@@ -37,15 +38,15 @@ class Viewer {
  private:
   Result<void> show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems);
 
-  /// Everything of one opened scene; the maker points into the document, so they stay and go together.
+  /// Everything of one opened scene; the picture points into the document, so they stay and go together.
   struct Shown {
     Document document;
-    std::optional<FrameMaker> maker;
+    std::optional<WindowPicture> picture;
     explicit Shown(Document opened) : document(std::move(opened)) {}
   };
 
   Document& document() { return shown_->document; }
-  FrameMaker& maker() { return *shown_->maker; }
+  FrameMaker& maker() { return shown_->picture->maker(); }
   double aspect() const { return double(size_.width) / std::max(1, size_.height); }
 
   Result<void> make_pictures(Shown& shown, std::vector<std::string>& problems);
@@ -80,15 +81,17 @@ class Viewer {
   bool bounds_stale_ = false;  ///< the maker's bounds are those before the last poses
   bool stale_ = true;          ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
+  ViewExtras drawn_extras_;
 };
 
 Result<void> Viewer::make_pictures(Shown& shown, std::vector<std::string>& problems) {
   LookOptions look = options_.look;
   look.size = size_;
   // What the scene says is edited here; only what it cannot say comes from the command line.
-  auto made = FrameMaker::create(device_, shown.document.stage(), shown.document.options(), look, problems);
+  auto made = WindowPicture::create(device_, shown.document, look, problems);
   if (!made) return pass_on(std::move(made));
-  shown.maker.emplace(std::move(*made));
+  shown.picture.emplace(std::move(*made));
+  state_.compared = {shown.picture->left_label(), shown.picture->right_label()};
   return {};
 }
 
@@ -247,7 +250,7 @@ void Viewer::take_edit(const Result<Touched>& done, const std::string& said) {
 
 void Viewer::take_photo() {
   const int frame = state_.playback.shown();
-  auto picture = maker().picture(frame);
+  auto picture = shown_->picture->photo(frame);
   if (!picture) return say(picture.error());
   const std::filesystem::path scene = state_.save_as;
   const std::filesystem::path file = scene.parent_path() / fmt::format("{}_{:04}.png", scene.stem().string(), frame);
@@ -301,7 +304,7 @@ void Viewer::take_requests(Window& window) {
   }
   // The box of all frames takes long to find: not while a slider is being dragged.
   if (bounds_stale_ && (ended || !document().is_merging())) {
-    maker().follow_stage();
+    shown_->picture->follow_stage();
     bounds_stale_ = false;
     stale_ = true;
   }
@@ -329,7 +332,7 @@ void Viewer::take_requests(Window& window) {
 Result<void> Viewer::show_frame(Window& window) {
   const PictureSize size = window.size();
   if (size.width > 0 && size.height > 0 && (size.width != size_.width || size.height != size_.height)) {
-    if (auto ok = maker().resize(size); !ok) return ok;
+    if (auto ok = shown_->picture->resize(size); !ok) return ok;
     size_ = size;
     stale_ = true;
   }
@@ -339,9 +342,10 @@ Result<void> Viewer::show_frame(Window& window) {
   draw_panels(document(), state_);
   take_requests(window);
   const int frame = state_.playback.shown();
-  if (stale_ || frame != drawn_frame_) {
+  if (stale_ || frame != drawn_frame_ || !(state_.extras == drawn_extras_)) {
     state_.states = maker().pose(frame);
-    if (auto ok = maker().draw_for_window(frame, state_.states); !ok) return ok;
+    drawn_extras_ = state_.extras;
+    if (auto ok = shown_->picture->draw(frame, state_.states, state_.extras); !ok) return ok;
     drawn_frame_ = frame;
     stale_ = false;
   }
