@@ -25,30 +25,6 @@ void fill_between(ImDrawList& draw, const std::vector<ImVec2>& upper, const std:
   draw.Flags = flags;
 }
 
-/// Fills a closed line that every upright line crosses twice at most.
-void fill_upright(ImDrawList& draw, const std::vector<ImVec2>& closed, ImU32 colour) {
-  const auto [left, right] = std::ranges::minmax(closed, {}, &ImVec2::x);
-  constexpr int pieces = 24;
-  std::vector<ImVec2> upper, lower;
-  for (int i = 0; i <= pieces; ++i) {
-    const float x = left.x + (right.x - left.x) * std::clamp(static_cast<float>(i) / pieces, 0.002f, 0.998f);
-    float top = INFINITY, bottom = -INFINITY;
-    for (std::size_t k = 0; k < closed.size(); ++k) {
-      const ImVec2 &a = closed[k], &b = closed[(k + 1) % closed.size()];
-      if ((a.x - x) * (b.x - x) > 0.0f || a.x == b.x) continue;
-      const float y = a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
-      top = std::min(top, y);
-      bottom = std::max(bottom, y);
-    }
-    if (top > bottom) continue;
-    upper.emplace_back(x, top);
-    lower.emplace_back(x, bottom);
-  }
-  fill_between(draw, upper, lower, colour);
-  stroke(draw, upper, colour, 1.5f);
-  stroke(draw, lower, colour, 1.5f);
-}
-
 void draw_eye(ImDrawList& draw, const FaceSheet& sheet, const FacePicture::Eye& eye) {
   const std::vector<ImVec2> upper = sheet.at(eye.upper), lower = sheet.at(eye.lower);
   fill_between(draw, upper, lower, white);
@@ -88,9 +64,11 @@ void draw_face_lines(ImDrawList& draw, const FaceSheet& sheet, const FacePicture
   draw.AddConvexPolyFilled(skin.data(), static_cast<int>(skin.size()), paper);
   stroke(draw, outline, line, 1.5f);
   for (const FacePicture::Eye& eye : picture.eyes) draw_eye(draw, sheet, eye);
-  for (const std::vector<Vec2>& brow : picture.brows) {
-    const std::vector<ImVec2> points = sheet.at(brow);
-    fill_upright(draw, points, hair);
+  for (const FacePicture::Brow& brow : picture.brows) {
+    const std::vector<ImVec2> one = sheet.at(brow.one), other = sheet.at(brow.other);
+    fill_between(draw, one, other, hair);
+    stroke(draw, one, hair, 1.5f);
+    stroke(draw, other, hair, 1.5f);
   }
   stroke(draw, sheet.at(picture.nose), line, 1.3f);
   const std::vector<ImVec2> outer = sheet.at(picture.lip_outer), inner = sheet.at(picture.lip_inner);

@@ -46,13 +46,15 @@ class Painter {
     const auto moved = [&](const Vec2& p) {
       return Vec2(side * p.x + value(across), p.y + slope * (p.x - pivot) + value(rise));
     };
-    std::vector<Vec2>& line = out_.brows.emplace_back();
+    // The outline's points come in pairs, one at each edge.
+    FacePicture::Brow& edges = out_.brows.emplace_back();
     Vec2 middle(0.0);
-    for (const Vec2& p : rig.brow_outline) {
-      line.push_back(moved(p));
+    for (std::size_t i = 0; i < rig.brow_outline.size(); ++i) {
+      const Vec2& p = rig.brow_outline[i];
+      (i % 2 == 0 ? edges.one : edges.other).push_back(moved(p));
       middle += p / static_cast<double>(rig.brow_outline.size());
     }
-    if (line.empty()) middle = {0.5 * (rig.brow_inner + rig.brow_outer), rig.eye_centres[0].y + 0.3};
+    if (edges.one.empty()) middle = {0.5 * (rig.brow_inner + rig.brow_outer), rig.eye_centres[0].y + 0.3};
     out_.handles.push_back({left ? "left brow" : "right brow", moved(middle), {{across, right, 1.0}, {rise, up, 1.0}}});
     // The brow turns about one end or the other; the handle, about the middle.
     const double lever = std::max(rig.brow_outer + 0.07 - middle.x, 0.05);

@@ -27,14 +27,18 @@ struct FaceHandle {
 };
 
 struct FacePicture {
+  /// A brow's two edges, which run the same way.
+  struct Brow {
+    std::vector<Vec2> one, other;
+  };
   /// An eye: lids from its viewer's left to its right, the iris.
   struct Eye {
     std::vector<Vec2> upper, lower;
     Vec2 iris{0.0};
     double iris_radius = 0.0;
   };
-  std::vector<Vec2> outline;               ///< of cheeks and jaw, open at the top
-  std::vector<std::vector<Vec2>> brows;    ///< closed
+  std::vector<Vec2> outline;  ///< of cheeks and jaw, open at the top
+  std::vector<Brow> brows;
   std::vector<Eye> eyes;                   ///< the character's left first
   std::vector<Vec2> nose;                  ///< a line
   std::vector<Vec2> lip_outer, lip_inner;  ///< closed

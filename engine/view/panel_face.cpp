@@ -96,8 +96,8 @@ void draw_picture(const Document& document, ViewState& state, std::size_t charac
   const StagedCharacter& staged = document.stage().characters[character];
   const FacePicture picture = face_picture(face, staged.mesh.face->guides);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  // On low windows the picture leaves half of the panel to the sliders.
-  const float width = ImGui::GetContentRegionAvail().x, most = 0.5f * ImGui::GetWindowHeight();
+  // On low windows the picture leaves more than half of the panel to the sliders.
+  const float width = ImGui::GetContentRegionAvail().x, most = 0.45f * ImGui::GetWindowHeight();
   const float across = static_cast<float>(face_picture_high.x - face_picture_low.x),
               down = static_cast<float>(face_picture_high.y - face_picture_low.y);
   const float scale = std::min(width / across, most / down), height = scale * down;

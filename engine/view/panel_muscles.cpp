@@ -39,9 +39,11 @@ void draw_curve(const Muscle& muscle, double strength, double angle) {
   // The label stands where the curve is low: beside the straight joint, or the bent one for muscles that it stretches.
   const bool left = muscle.reference_angle < muscle.rest_angle;
   draw.AddText({left ? corner.x + 6.0f : corner.x + size.x - width - 6.0f, corner.y + 4.0f}, mark, now.c_str());
-  show_tip(
-      "height of the swelling over the joint's angle: straight (180\u00b0) at the left, closed (0\u00b0) at the right; "
-      "the thin line is the peak");
+  show_tip("height of the swelling over the joint's angle; the thin line is the peak");
+  ImGui::TextDisabled("180\u00b0 straight");
+  const std::string closed = "closed 0\u00b0";
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(closed.c_str()).x);
+  ImGui::TextDisabled("%s", closed.c_str());
 }
 
 /// Numbers of one muscle, to be dragged.
