@@ -6,9 +6,7 @@
 
 #include <imgui.h>
 
-#include "engine/core/files.h"
 #include "engine/core/interrupt.h"
-#include "engine/io/png.h"
 #include "engine/render/text.h"
 #include "engine/view/head_work.h"
 #include "engine/view/orbit_camera.h"
@@ -249,15 +247,8 @@ void Viewer::take_edit(const Result<Touched>& done, const std::string& said) {
 }
 
 void Viewer::take_photo() {
-  const int frame = state_.playback.shown();
-  auto picture = shown_->picture->photo(frame);
-  if (!picture) return say(picture.error());
-  const std::filesystem::path scene = state_.save_as;
-  const std::filesystem::path file = scene.parent_path() / fmt::format("{}_{:04}.png", scene.stem().string(), frame);
-  const auto png = encode_png(picture->rgba, picture->width, picture->height, {}, false);
-  if (!png) return say(png.error());
-  if (auto ok = write_file(file, *png); !ok) return say(ok.error());
-  say(file.string() + " written");
+  const auto file = shown_->picture->save_photo(state_.playback.shown(), state_.save_as);
+  file ? say(*file + " written") : say(file.error());
 }
 
 void Viewer::open_beside(const std::string& file) {

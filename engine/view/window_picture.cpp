@@ -4,6 +4,8 @@
 
 #include "engine/app/comparison.h"
 #include "engine/app/figure.h"
+#include "engine/core/files.h"
+#include "engine/io/png.h"
 #include "engine/render/renderer_image.h"
 
 namespace sinew {
@@ -74,12 +76,19 @@ Result<void> WindowPicture::draw(int frame, const std::vector<CharacterState>& s
   return put_picture(device_->vulkan(), maker_.renderer(), *picture);
 }
 
-Result<Picture> WindowPicture::photo(int frame) {
+Result<std::string> WindowPicture::save_photo(int frame, const std::filesystem::path& scene_file) {
   const FigureLook figure = figure_look({}, document_->scene().look);
   std::vector<std::string> problems;
   auto made = FigureMaker::create(*device_, document_->stage(), document_->options(), look_, figure, problems);
   if (!made) return pass_on(std::move(made));
-  return made->picture(frame, {frame});
+  const auto picture = made->picture(frame, {frame});
+  if (!picture) return tl::unexpected<Error>(picture.error());
+  const std::filesystem::path file =
+      scene_file.parent_path() / fmt::format("{}_{:04}.png", scene_file.stem().string(), frame);
+  const auto png = encode_png(picture->rgba, picture->width, picture->height, {}, false);
+  if (!png) return tl::unexpected<Error>(png.error());
+  if (auto ok = write_file(file, *png); !ok) return pass_on(std::move(ok));
+  return file.string();
 }
 
 void WindowPicture::follow_stage() {

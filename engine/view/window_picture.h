@@ -29,8 +29,9 @@ class WindowPicture {
 
   /// Draws into the image that the window shows. `states`: maker().pose(frame).
   Result<void> draw(int frame, const std::vector<CharacterState>& states, const ViewExtras& extras);
-  /// The picture that `render` makes of the scene at this frame.
-  Result<Picture> photo(int frame);
+  /// Writes the picture that `render` makes of the scene at this frame, beside the scene's file and called after it and
+  /// the frame; returns its name. Fails as cannot_write.
+  Result<std::string> save_photo(int frame, const std::filesystem::path& scene_file);
   void follow_stage();
   Result<void> resize(const PictureSize& size);
 
