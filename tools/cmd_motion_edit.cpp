@@ -4,6 +4,7 @@
 
 #include "engine/core/files.h"
 #include "engine/io/json_parser.h"
+#include "engine/motion/apex.h"
 #include "engine/motion/library_edit.h"
 #include "tools/motion_command.h"
 #include "tools/motion_edit_words.h"

@@ -5,6 +5,7 @@
 
 #include "engine/body/figure.h"
 #include "engine/core/text.h"
+#include "engine/motion/motion_edit.h"
 #include "engine/motion/skin_error.h"
 #include "tools/motion_command.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 struct Words : MotionWords {
   std::string clip, segments = "auto";
+  std::vector<std::string> joints;
   MotionFitOptions options;
 };
 
@@ -39,21 +41,36 @@ struct Fitted {
   SkinError skin;
 };
 
-Fitted fitted(const Motion& motion, const Model& figure, const CurveFitOptions& options) {
-  Fitted result{fit_motion(motion, options), {}};
+Fitted fitted(const Motion& motion, const Model& figure, const CurveFitOptions& options, const KeptCurves* kept) {
+  Fitted result{fit_motion(motion, options, kept), {}};
   result.skin = skin_error(figure, motion, sampled_motion(result.fit.clip, motion.skeleton, motion.name));
   return result;
 }
 
 /// The degrees follow from the skin: they shrink, in proportion to what the skin was off by, until it holds.
-Result<Fitted> fitted_within(const Motion& motion, const Model& figure, CurveFitOptions options, double skin_mm) {
+Result<Fitted> fitted_within(const Motion& motion, const Model& figure, CurveFitOptions options, const KeptCurves* kept,
+                             double skin_mm) {
   options.tolerance = options.tolerance.value_or(1.0);
   for (int attempt = 0; attempt < 20; ++attempt) {
-    Fitted result = fitted(motion, figure, options);
+    Fitted result = fitted(motion, figure, options, kept);
     if (result.skin.mm <= skin_mm) return result;
     *options.tolerance *= std::clamp(0.9 * skin_mm / result.skin.mm, 0.1, 0.9);
   }
   return bad_input("clip \"{}\": no fit keeps its skin within {} mm", motion.name, skin_mm);
+}
+
+/// All curves but those of the joints that are named: the clip's own, or new ones that follow its noise alone.
+Result<std::optional<KeptCurves>> kept_curves(const StoredClip& clip, const std::vector<std::string>& joints) {
+  if (joints.empty()) return std::nullopt;
+  const MotionSkeleton& skeleton = clip.motion.skeleton;
+  KeptCurves kept{{}, std::vector<bool>(skeleton.joints.size(), true)};
+  for (const std::string& name : joints) {
+    const auto joint = find_motion_joint(skeleton, name);
+    if (!joint) return tl::unexpected<Error>(joint.error());
+    kept.joints[static_cast<std::size_t>(*joint)] = false;
+  }
+  kept.curves = clip.curves ? *clip.curves : fit_motion(clip.motion, {}).clip;
+  return kept;
 }
 
 nlohmann::ordered_json curves_json(const MotionFit& fit, const MotionSkeleton& skeleton) {
@@ -100,9 +117,12 @@ Result<void> fit(const Words& words) {
   const auto figure = test_figure();
   if (!figure) return tl::unexpected<Error>(figure.error());
   const Motion& motion = clip->motion;
+  const auto kept = kept_curves(*clip, words.joints);
+  if (!kept) return tl::unexpected<Error>(kept.error());
+  const KeptCurves* others = *kept ? &**kept : nullptr;
   Result<Fitted> result = options.skin_tolerance
-                              ? fitted_within(motion, *figure, options.curve, *options.skin_tolerance)
-                              : Result<Fitted>(fitted(motion, *figure, options.curve));
+                              ? fitted_within(motion, *figure, options.curve, others, *options.skin_tolerance)
+                              : Result<Fitted>(fitted(motion, *figure, options.curve, others));
   if (!result) return pass_on(std::move(result));
   const MotionFit& found = result->fit;
   if (!motion.frames.front().offsets.empty())
@@ -145,6 +165,8 @@ void add_motion_fit(CLI::App& motion, Run& run) {
   command->add_option("--tolerance", words->options.curve.tolerance,
                       "Degrees that a curve may be off; without it noise is smoothed away");
   command->add_option("--skin-tolerance", words->options.skin_tolerance, "Millimetres that a figure's skin may be off");
+  command->add_option("--joint", words->joints, "Only this joint's curves, the others stay; repeatable")
+      ->allow_extra_args(false);
   add_motion_options(*command, *words);
   command->callback([words, &run] { run = [words] { return fit(*words); }; });
 }

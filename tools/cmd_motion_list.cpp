@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "engine/motion/apex.h"
 #include "tools/motion_command.h"
 
 namespace sinew::tools {

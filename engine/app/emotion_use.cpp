@@ -1,10 +1,12 @@
 #include "engine/app/emotion_use.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/core/text.h"
 #include "engine/model/scene_words.h"
+#include "engine/motion/apex.h"
 
 namespace sinew {
 namespace {
@@ -55,9 +57,24 @@ MotionUse use_for_cue(const EmotionCue& cue, const ClipEntry& clip, double apex,
   return use;
 }
 
+EmotionSpan span_of(const Motion& motion, const MotionUse& use, double apex, double fps) {
+  const std::vector<double> all = deviations(motion);
+  const auto at_apex = static_cast<std::size_t>(
+      std::clamp(std::llround(apex / motion.frame_time), 0LL, static_cast<long long>(all.size()) - 1));
+  const auto is_near = [&](double deviation) { return deviation >= near_apex * all[at_apex]; };
+  const auto frame = [&](std::ptrdiff_t index) {
+    return use.start + static_cast<double>(index) * motion.frame_time * fps;
+  };
+  // The apex itself is near, so that both are found.
+  const auto first = std::find_if(all.begin(), all.end(), is_near);
+  const auto last = std::find_if(all.rbegin(), all.rend(), is_near);
+  return {use.weight.keys.front().frame, frame(first - all.begin()), frame(all.rend() - last - 1),
+          use.weight.keys.back().frame};
+}
+
 std::optional<Keyed<ExpressionWeight>> expressions_with(const std::optional<Keyed<ExpressionWeight>>& own,
                                                         std::span<const EmotionCue> cues,
-                                                        std::span<const MotionUse> uses) {
+                                                        std::span<const EmotionSpan> spans) {
   if (cues.empty()) return own;
   Keyed<ExpressionWeight> all;
   if (own) all = *own;
@@ -68,22 +85,33 @@ std::optional<Keyed<ExpressionWeight>> expressions_with(const std::optional<Keye
                         [&](const Key<ExpressionWeight>& key) { return key.frame > first && key.frame < last; });
   };
   for (std::size_t i = 0; i < cues.size(); ++i) {
-    const double begin = uses[i].weight.keys.front().frame, end = uses[i].weight.keys.back().frame;
-    if (none_between(begin, cues[i].frame)) add_key(all.keys, begin, {Expression::neutral, 1.0});
-    if (none_between(cues[i].frame, end)) add_key(all.keys, end, {Expression::neutral, 1.0});
+    const EmotionSpan& span = spans[i];
+    const double apex = cues[i].frame;
+    const ExpressionWeight near{cues[i].emotion, near_apex * cues[i].strength}, neutral{Expression::neutral, 1.0};
+    if (none_between(span.begin, apex)) {
+      add_key(all.keys, span.begin, neutral);
+      if (span.near > span.begin && span.near < apex) add_key(all.keys, span.near, near);
+    }
+    if (none_between(apex, span.end)) {
+      add_key(all.keys, span.end, neutral);
+      if (span.leaving > apex && span.leaving < span.end) add_key(all.keys, span.leaving, near);
+    }
   }
   return all;
 }
 
-Result<StagedMotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
-                                   const Humanoid& humanoid, std::vector<std::string>& problems) {
+Result<StagedEmotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
+                                    const Humanoid& humanoid, std::vector<std::string>& problems) {
   auto clip = clip_of_emotion(library, cue.emotion);
   if (!clip) return pass_on(std::move(clip));
-  const MotionUse use = use_for_cue(cue, clip->entry, apex_of(*clip), fps);
+  const double apex = apex_of(*clip);
+  const MotionUse use = use_for_cue(cue, clip->entry, apex, fps);
   const std::string name = fmt::format("clip {}", clip->entry.name);
-  auto staged = put_motion(played_motion(std::move(*clip)), name, use, model, humanoid, problems);
-  if (staged) staged->file = library.file().string();
-  return staged;
+  const Motion motion = played_motion(std::move(*clip));
+  auto staged = put_motion(motion, name, use, model, humanoid, problems);
+  if (!staged) return pass_on(std::move(staged));
+  staged->file = library.file().string();
+  return StagedEmotion{std::move(*staged), span_of(motion, use, apex, fps)};
 }
 
 }  // namespace sinew

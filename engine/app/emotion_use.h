@@ -13,15 +13,31 @@ Result<StoredClip> clip_of_emotion(const MotionLibrary& library, Expression emot
 /// 0 to the cue's strength within 0.3 s of its begin, not after its apex, and falls in the same way at its end.
 MotionUse use_for_cue(const EmotionCue& cue, const ClipEntry& clip, double apex, double fps);
 
-/// The expressions that cues ask for, added to those that the scene has: each at its cue's frame, neutral where its
-/// clip (`uses`, one a cue) begins and ends. The scene's own keys go before: at their own frame they stay, and between
-/// a clip's begin or end and its apex they stand in place of neutral.
+/// What a body does over a cue's clip, in the scene's frames: it begins, comes near the pose of its apex, leaves it for
+/// the last time, and ends.
+struct EmotionSpan {
+  double begin = 0.0, near = 0.0, leaving = 0.0, end = 0.0;
+};
+
+/// Of its deviation at the apex, what a body that is near it has at the least; the face's share of its strength there.
+constexpr double near_apex = 0.8;
+
+EmotionSpan span_of(const Motion& motion, const MotionUse& use, double apex, double fps);
+
+/// The expressions that cues ask for, added to those that the scene has: each at its cue's frame, near_apex of it where
+/// the body comes near its apex and leaves it, neutral where the clip begins and ends. `spans`: one a cue. The scene's
+/// own keys go before: where one stands between a clip's begin or end and its apex, the clip adds nothing on that side.
 std::optional<Keyed<ExpressionWeight>> expressions_with(const std::optional<Keyed<ExpressionWeight>>& own,
                                                         std::span<const EmotionCue> cues,
-                                                        std::span<const MotionUse> uses);
+                                                        std::span<const EmotionSpan> spans);
+
+struct StagedEmotion {
+  StagedMotion motion;
+  EmotionSpan span;
+};
 
 /// Finds a cue's clip in the library and puts it onto the model.
-Result<StagedMotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
-                                   const Humanoid& humanoid, std::vector<std::string>& problems);
+Result<StagedEmotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
+                                    const Humanoid& humanoid, std::vector<std::string>& problems);
 
 }  // namespace sinew

@@ -50,17 +50,14 @@ PictureSize panel_size(const PictureSize& whole, int columns, int rows) {
           std::max((whole.height - (rows + 1) * gutter) / rows, 1)};
 }
 
-std::array<std::uint8_t, 4> background_bytes(const Stage& stage, const LookOptions& look) {
-  const Colour colour = look.background.value_or(stage.scene.look.background);
-  return {colour.red, colour.green, colour.blue, colour.alpha};
-}
-
-/// A sheet put into the middle of a picture of exactly the size that was asked for: rounding leaves a few pixels over.
-Picture centred(const Picture& inner, const PictureSize& size, const std::array<std::uint8_t, 4>& background) {
+/// A sheet put into the middle of a picture of exactly the size that was asked for: rounding leaves a few pixels over,
+/// which go on as its gutters.
+Picture centred(const Picture& inner, const PictureSize& size) {
   if (inner.width == size.width && inner.height == size.height) return inner;
+  const Colour paper = SheetOptions{}.background;
   Picture whole{size.width, size.height, {}};
-  whole.rgba.resize(std::size_t{4} * size.width * size.height);
-  for (std::size_t i = 0; i < whole.rgba.size(); ++i) whole.rgba[i] = background[i % 4];
+  for (long long i = 0; i < 1LL * size.width * size.height; ++i)
+    whole.rgba.insert(whole.rgba.end(), {paper.red, paper.green, paper.blue, paper.alpha});
   const int left = std::max((size.width - inner.width) / 2, 0), top = std::max((size.height - inner.height) / 2, 0);
   const int width = std::min(inner.width, size.width), height = std::min(inner.height, size.height);
   for (int y = 0; y < height; ++y)
@@ -78,7 +75,6 @@ struct FigureMaker::Impl {
   FigureLook figure;
   std::optional<MusclePlotMaker> plot;
   PictureSize size, frame_size, panel_size;  ///< of the whole, of one frame's panels together, and of one of them
-  std::array<std::uint8_t, 4> background{};
   std::optional<Font> font;
 
   Result<void> make_panels(Device& device, const std::vector<PanelPlan>& plans, const LookOptions& look,
@@ -124,7 +120,7 @@ Result<Picture> FigureMaker::Impl::row(int frame, double orbit) {
         {&(*pictures)[i], figure.compare_as == ComparisonPlace::panels && i < labels.size() ? labels[i] : ""});
   auto laid_out = sheet(cells, {.gutter = gutter}, font_or_null());
   if (!laid_out) return laid_out;
-  return centred(*laid_out, frame_size, background);
+  return centred(*laid_out, frame_size);
 }
 
 Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames) {
@@ -146,7 +142,7 @@ Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames)
   for (std::size_t i = 0; i < pictures.size(); ++i) cells.push_back({&pictures[i], names[i]});
   auto laid_out = sheet(cells, {.columns = grid.columns, .rows = grid.rows, .gutter = gutter}, font_or_null());
   if (!laid_out) return laid_out;
-  return centred(*laid_out, size, background);
+  return centred(*laid_out, size);
 }
 
 FigureMaker::FigureMaker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -177,7 +173,6 @@ Result<FigureMaker> FigureMaker::create(Device& device, const Stage& stage, cons
   auto impl = std::make_unique<Impl>();
   impl->figure = figure;
   impl->size = look.size;
-  impl->background = background_bytes(stage, look);
   if (!figure.other.empty()) {
     SceneOptions other = scene;
     other.scene = figure.other;

@@ -176,14 +176,14 @@ Result<void> add_emotions(StagedCharacter& character, const SceneOptions& option
   if (cues.empty()) return {};
   auto library = MotionLibrary::open(options.library.empty() ? default_library() : options.library, false);
   if (!library) return place.at("/emotion", std::move(library));
+  std::vector<EmotionSpan> spans;
   for (std::size_t i = 0; i < cues.size(); ++i) {
     auto staged = stage_emotion(cues[i], *library, fps, *character.model, character.humanoid, problems);
     if (!staged) return place.at(fmt::format("/emotion/{}", i), std::move(staged));
-    character.emotions.push_back(std::move(*staged));
+    character.emotions.push_back(std::move(staged->motion));
+    spans.push_back(staged->span);
   }
-  std::vector<MotionUse> uses;
-  for (const StagedMotion& emotion : character.emotions) uses.push_back(emotion.use);
-  character.scene.expressions = expressions_with(character.scene.expressions, cues, uses);
+  character.scene.expressions = expressions_with(character.scene.expressions, cues, spans);
   return {};
 }
 

@@ -48,23 +48,8 @@ Result<void> check_fit_options(const CurveFitOptions& options) {
   return {};
 }
 
-CurveFit fit_curve(SegmentTables& tables, std::span<const double> times, std::span<const double> values,
-                   const CurveFitOptions& options) {
-  assert(!times.empty() && times.size() == values.size());
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double middle = 0.5 * (*low + *high);
-  CurveFit fit;
-  if (times.size() == 1 || *high - *low <= std::max(still, 2.0 * options.tolerance.value_or(0.0))) {
-    // One sample has no length of time; a second stands for it.
-    fit.curve = constant_curve(times.front(), times.size() == 1 ? times.front() + 1.0 : times.back(), middle);
-  } else {
-    // Sums of squares lose fewest digits about the middle.
-    std::vector<double> centred(values.begin(), values.end());
-    for (double& value : centred) value -= middle;
-    const double spacing = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-    fit.curve = fitted(tables, {times.front(), spacing, centred}, options);
-    for (auto& segment : fit.curve.coefficients) segment[0] += middle;
-  }
+CurveFit measured_curve(PiecewisePolynomial curve, std::span<const double> times, std::span<const double> values) {
+  CurveFit fit{std::move(curve), 0.0, 0.0};
   double squares = 0.0;
   for (const double residual : residuals(fit.curve, times, values)) {
     squares += residual * residual;
@@ -72,6 +57,26 @@ CurveFit fit_curve(SegmentTables& tables, std::span<const double> times, std::sp
   }
   fit.rms_error = std::sqrt(squares / static_cast<double>(times.size()));
   return fit;
+}
+
+CurveFit fit_curve(SegmentTables& tables, std::span<const double> times, std::span<const double> values,
+                   const CurveFitOptions& options) {
+  assert(!times.empty() && times.size() == values.size());
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double middle = 0.5 * (*low + *high);
+  PiecewisePolynomial curve;
+  if (times.size() == 1 || *high - *low <= std::max(still, 2.0 * options.tolerance.value_or(0.0))) {
+    // One sample has no length of time; a second stands for it.
+    curve = constant_curve(times.front(), times.size() == 1 ? times.front() + 1.0 : times.back(), middle);
+  } else {
+    // Sums of squares lose fewest digits about the middle.
+    std::vector<double> centred(values.begin(), values.end());
+    for (double& value : centred) value -= middle;
+    const double spacing = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+    curve = fitted(tables, {times.front(), spacing, centred}, options);
+    for (auto& segment : curve.coefficients) segment[0] += middle;
+  }
+  return measured_curve(std::move(curve), times, values);
 }
 
 CurveFit fit_curve(std::span<const double> times, std::span<const double> values, const CurveFitOptions& options) {

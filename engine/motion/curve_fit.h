@@ -23,6 +23,9 @@ struct CurveFit {
   double largest_error = 0.0;  ///< over the samples
 };
 
+/// How far a curve is from samples.
+CurveFit measured_curve(PiecewisePolynomial curve, std::span<const double> times, std::span<const double> values);
+
 constexpr int default_fit_degree = 5;  ///< the paper's, where there is no tolerance
 
 /// Fails as usage with the option's name where one is out of its range.

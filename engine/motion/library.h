@@ -79,11 +79,4 @@ class MotionLibrary {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The time of the frame that deviates most from the first: the largest root mean square, over all joints, of the angle
-/// between a joint's rotation there and in the first frame.
-double find_apex(const Motion& motion);
-
-/// Seconds of the clip's apex: as set, else as found.
-double apex_of(const StoredClip& clip);
-
 }  // namespace sinew

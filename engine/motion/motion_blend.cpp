@@ -4,6 +4,18 @@
 #include <cmath>
 
 namespace sinew {
+namespace {
+
+/// The turn about `up` that comes nearest to taking one root's rotation to another's: the twist of what lies between.
+Quat heading_turn(const Quat& from, const Quat& to, const Vec3& up) {
+  const Quat between = to * glm::conjugate(from);
+  const Vec3 along = up * glm::dot(Vec3(between.x, between.y, between.z), up);
+  const Quat twist(between.w, along.x, along.y, along.z);
+  // Half a turn about a level axis heads nowhere.
+  return glm::length(twist) < 1e-6 ? Quat(1, 0, 0, 0) : glm::normalize(twist);
+}
+
+}  // namespace
 
 MotionFrame blended(const MotionFrame& a, const MotionFrame& b, double weight) {
   MotionFrame frame{glm::mix(a.root, b.root, weight), {}, {}};
@@ -24,7 +36,10 @@ MotionFrame motion_frame_at(const Motion& motion, double seconds) {
 
 Motion joined(const Motion& first, const Motion& second, double blend, const Vec3& up) {
   const double start = first.duration() - blend;
-  Vec3 shift = motion_frame_at(first, start).root - second.frames.front().root;
+  const MotionFrame& begin = second.frames.front();
+  const MotionFrame meeting = motion_frame_at(first, start);
+  const Quat turn = heading_turn(begin.rotations.front(), meeting.rotations.front(), up);
+  Vec3 shift = meeting.root - begin.root;
   shift -= up * glm::dot(shift, up);
   const double duration = start + second.duration();
   Motion result{first.name, first.skeleton, first.frame_time, {}, {}};
@@ -32,7 +47,8 @@ Motion joined(const Motion& first, const Motion& second, double blend, const Vec
   for (std::size_t i = 0; i < frames; ++i) {
     const double t = static_cast<double>(i) * first.frame_time;
     MotionFrame later = motion_frame_at(second, t - start);
-    later.root += shift;
+    later.root = begin.root + shift + turn * (later.root - begin.root);
+    later.rotations.front() = turn * later.rotations.front();
     const double weight = blend > 0.0 ? smoothstep01((t - start) / blend) : (t > start ? 1.0 : 0.0);
     result.frames.push_back(weight >= 1.0   ? later
                             : weight <= 0.0 ? motion_frame_at(first, t)

@@ -14,7 +14,8 @@ MotionFrame motion_frame_at(const Motion& motion, double seconds);
 MotionFrame blended(const MotionFrame& a, const MotionFrame& b, double weight);
 
 /// `second` after `first`, the two overlapping by `blend` seconds in which the weight goes smoothly over. The second is
-/// moved level (not along `up`) so that it begins where the first stands then. Its frame time is the first's.
+/// turned about `up` and moved level so that it begins where the first stands then, and heads as that does. Its frame
+/// time is the first's.
 Motion joined(const Motion& first, const Motion& second, double blend, const Vec3& up);
 
 /// The same clip `count` times, joined to itself.

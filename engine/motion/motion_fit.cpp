@@ -1,6 +1,7 @@
 #include "engine/motion/motion_fit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -13,7 +14,7 @@ double root_tolerance(const MotionSkeleton& skeleton, double degrees) {
   return 0.25 * skeleton_size(skeleton) * degrees * degrees_to_radians;
 }
 
-MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
+MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const KeptCurves* kept) {
   const auto begun = std::chrono::steady_clock::now();
   const MotionSamples samples = motion_samples(motion);
   const std::size_t joints = samples.joints.size();
@@ -28,10 +29,13 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
       [&](std::size_t j) {
         JointCurves& curves = fit.clip.joints[j];
         curves.order = samples.joints[j].order;
+        assert(!kept || !kept->joints[j] || kept->curves.joints[j].order == curves.order);
         std::vector<double> values(samples.times.size());
         for (int axis = 0; axis < 3; ++axis) {
           for (std::size_t i = 0; i < values.size(); ++i) values[i] = samples.joints[j].degrees[i][axis];
-          CurveFit one = fit_curve(tables, samples.times, values, options);
+          CurveFit one = kept && kept->joints[j]
+                             ? measured_curve(kept->curves.joints[j].angles[axis], samples.times, values)
+                             : fit_curve(tables, samples.times, values, options);
           fit.curves[3 * j + axis] = {
               j, axis, one.curve.segments(), one.curve.degree(), one.rms_error, one.largest_error};
           curves.angles[axis] = std::move(one.curve);
@@ -42,7 +46,8 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options) {
   if (options.tolerance) lengths.tolerance = root_tolerance(motion.skeleton, *options.tolerance);
   lengths.resolution = root_tolerance(motion.skeleton, options.resolution);
   for (int axis = 0; axis < 3; ++axis) {
-    CurveFit one = fit_curve(tables, samples.times, samples.root[axis], lengths);
+    CurveFit one = kept ? measured_curve(kept->curves.root[axis], samples.times, samples.root[axis])
+                        : fit_curve(tables, samples.times, samples.root[axis], lengths);
     fit.root_error = std::max(fit.root_error, one.largest_error);
     fit.clip.root[axis] = std::move(one.curve);
   }

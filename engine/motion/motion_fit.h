@@ -36,8 +36,14 @@ struct MotionFit {
 /// A root's tolerance in place of degrees: what the angle moves at a quarter of the skeleton's size.
 double root_tolerance(const MotionSkeleton& skeleton, double degrees);
 
-/// Fits all curves on all cores.
-MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options);
+/// Curves of the same motion that a fit leaves as they are.
+struct KeptCurves {
+  CurveClip curves;
+  std::vector<bool> joints;  ///< [joints] whose; the root's are kept too
+};
+
+/// Fits all curves, but for those that are `kept`, on all cores.
+MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const KeptCurves* kept = nullptr);
 
 /// Fails as usage with the option's name where one is out of its range.
 Result<void> check_motion_fit_options(const MotionFitOptions& options);

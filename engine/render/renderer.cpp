@@ -34,8 +34,9 @@ Vec2 depth_span(const Viewpoint& camera, const Bounds& box) {
 layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, const ShadowMaps& maps) {
   layout::FrameUniforms u{};
   const Viewpoint& camera = shot.viewpoint;
-  const Studio studio = make_studio(camera, shot.scene, shot.floor.value_or(0.0));
-  u.view_projection = Mat4f(camera.view_projection(double(target.width) / target.height));
+  const double aspect = double(target.width) / target.height;
+  const Studio studio = make_studio(camera, aspect, shot.scene, shot.floor);
+  u.view_projection = Mat4f(studio.viewpoint.view_projection(aspect));
   u.light_projection = Mat4f(studio.light_projection);
   u.contact_projection = Mat4f(studio.contact_projection);
   u.eye = word(camera.eye);

@@ -103,6 +103,7 @@ TEST_F(MotionCommand, SaysWhatIsWrongAndLeavesTheLibraryAsItWas) {
   EXPECT_EQ(code({"import", "good.bvh", "nod.bvh"}), 3);
   EXPECT_EQ(code({"fit", "node"}), 3);
   EXPECT_EQ(code({"fit", "nod", "--degree", "2"}), 2);
+  EXPECT_EQ(code({"fit", "nod", "--joint", "nek"}), 3);
   EXPECT_EQ(code({"fit", "nod", "--tolerance", "-1"}), 2);
   EXPECT_EQ(code({"fit", "nod", "--segments", "many"}), 2);
   EXPECT_EQ(code({"plot", "nod", "--joint", "Neck", "-o", "x.svg"}), 3);  // not fitted yet

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
+#include "engine/motion/apex.h"
 #include "engine/motion/library_edit.h"
 #include "engine/motion/library_schema.h"
 #include "tests/motion/made_up_motion.h"

@@ -52,6 +52,27 @@ TEST(MotionFit, HoldsHalfADegreeOfCapturesInFewNumbers) {
   }
 }
 
+TEST(MotionFit, KeepsTheCurvesOfOtherJoints) {
+  const Motion motion = made_up_motion(6, 100);
+  CurveFitOptions close;
+  close.tolerance = 0.1;
+  const MotionFit before = fit_motion(motion, close);
+  KeptCurves kept{before.clip, std::vector<bool>(6, true)};
+  kept.joints[2] = false;
+  CurveFitOptions coarse;
+  coarse.segments = 2;
+  coarse.degree = 3;
+  const MotionFit after = fit_motion(motion, coarse, &kept), alone = fit_motion(motion, coarse);
+  for (std::size_t j = 0; j < 6; ++j)
+    for (int axis = 0; axis < 3; ++axis) {
+      const MotionFit& from = j == 2 ? alone : before;
+      EXPECT_EQ(after.clip.joints[j].angles[axis].coefficients, from.clip.joints[j].angles[axis].coefficients);
+      EXPECT_EQ(after.curves[3 * j + axis].max_degrees, from.curves[3 * j + axis].max_degrees);
+    }
+  EXPECT_EQ(after.clip.root[2].coefficients, before.clip.root[2].coefficients);
+  EXPECT_NE(after.stored_numbers, before.stored_numbers);
+}
+
 TEST(MotionFit, PlaysAPoseOfManyJointsInMicroseconds) {
   const Motion motion = made_up_motion(68, 300);
   CurveFitOptions options;
