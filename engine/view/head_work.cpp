@@ -8,7 +8,9 @@ bool HeadWork::take(const Document& document, const Scene& scene, const std::str
   const Scene& now = document.scene();
   for (std::size_t i = 0; i < std::min(scene.characters.size(), now.characters.size()); ++i) {
     const Character& character = scene.characters[i];
-    if (!character.head || character.head == now.characters[i].head) continue;
+    // A slider that comes back to the head that is shown takes back what it asked for.
+    const bool comes_back = is_busy() && drawn_.character == i && merge == merge_;
+    if (!character.head || (character.head == now.characters[i].head && !comes_back)) continue;
     // While a head is drawn later ones wait their turn, spare or not.
     if (!is_busy() && !needs_model(document.stage(), character)) continue;
     wanted_ = Wanted{i, *character.head};

@@ -135,10 +135,8 @@ void in_columns(const char* id, std::size_t count, Draw draw) {
 bool named_slider(const std::string& name, double& value, double low, double high, ViewState& state) {
   float shown = static_cast<float>(value);
   const std::string format = name + " %.2f";
-  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 6.0f);
   const bool moved = ImGui::SliderFloat("##value", &shown, static_cast<float>(low), static_cast<float>(high),
                                         format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-  ImGui::PopStyleVar();
   if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
   // What a float shows as two decimals is meant so.
   if (moved) value = std::round(1000.0 * static_cast<double>(shown)) / 1000.0;

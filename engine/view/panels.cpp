@@ -107,6 +107,7 @@ void set_style() {
   style.WindowRounding = 6.0f;
   style.FrameRounding = style.GrabRounding = 3.0f;
   style.WindowBorderSize = 0.0f;
+  style.GrabMinSize = 6.0f;  // beside the values, not over them
   style.ItemSpacing = {8.0f, 6.0f};
   style.Colors[ImGuiCol_WindowBg] = {0.11f, 0.12f, 0.14f, 0.90f};
   style.Colors[ImGuiCol_FrameBg] = {0.20f, 0.22f, 0.25f, 1.0f};

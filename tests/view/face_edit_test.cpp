@@ -183,6 +183,21 @@ TEST(HeadWork, AgesMergeIntoOneEditAndUndoNeedsNoDrawing) {
   EXPECT_FALSE(document.can_undo());
 }
 
+TEST(HeadWork, ASliderThatComesBackLeavesTheHeadThatWas) {
+  Document document = opened("builtin:head");
+  Scene scene = document.scene();
+  set_head_age(scene.characters[0], 0.0, 0.25);
+  ASSERT_TRUE(document.edit(scene, "age"));
+  const Vec3 before = document.stage().characters[0].mesh.positions[100];
+  HeadWork heads;
+  for (const double age : {0.5, 0.25}) {
+    set_head_age(scene.characters[0], 0.0, age);
+    ASSERT_TRUE(heads.take(document, scene, "age", "age"));
+  }
+  finish(heads, document);
+  EXPECT_EQ(document.stage().characters[0].mesh.positions[100], before);
+}
+
 TEST(HeadWork, LeavesOtherEditsAloneAndForgetsWhatIsDropped) {
   Document document = opened("builtin:head");
   HeadWork heads;
