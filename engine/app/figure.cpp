@@ -7,6 +7,7 @@
 #include "engine/app/comparison.h"
 #include "engine/app/muscle_plot.h"
 #include "engine/app/panel.h"
+#include "engine/model/scene_words.h"
 
 namespace sinew {
 namespace {
@@ -19,19 +20,26 @@ struct PanelPlan {
   SceneOptions scene;
   FigureLook figure;
   std::string label;
+  std::optional<View> view;  ///< in place of the figure's
 };
+
+std::string view_word(View view) { return view_names()[static_cast<std::size_t>(view)]; }
 
 std::string short_name(const Stage& stage) { return std::filesystem::path(stage.source).filename().string(); }
 
 std::vector<PanelPlan> plan_panels(const Stage& stage, const SceneOptions& scene, const FigureLook& figure,
-                                   const Stage* other) {
-  std::vector<PanelPlan> plans{{&stage, scene, figure, ""}};
-  if (figure.compare == CompareWith::none && other == nullptr) return plans;
+                                   const Stage* other, const LookOptions& look) {
+  std::vector<PanelPlan> plans{{&stage, scene, figure, "", std::nullopt}};
+  if (!figure.compares()) return plans;
   plans.push_back(plans.front());
   if (other != nullptr) {
     plans[1].stage = other;
     plans[0].label = short_name(stage);
     plans[1].label = short_name(*other);
+  } else if (figure.other_view) {
+    plans[1].view = figure.other_view;
+    plans[0].label = view_word(look.view.value_or(stage.scene.camera.view));
+    plans[1].label = view_word(*figure.other_view);
   } else {
     const auto sides = compared_sides(figure.compare, scene, figure.overlay);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -155,6 +163,7 @@ Result<void> FigureMaker::Impl::make_panels(Device& device, const std::vector<Pa
   for (const PanelPlan& plan : plans) {
     LookOptions panel_look = look;
     panel_look.size = panel_size;
+    if (plan.view) panel_look.view = plan.view;
     if (inset && !panels.empty() && figure.zoom.empty()) panel_look.size = inset_size(panel_size);
     std::vector<std::string> found;
     auto panel = PanelMaker::create(device, *plan.stage, plan.scene, panel_look, plan.figure, found);
@@ -188,7 +197,7 @@ Result<FigureMaker> FigureMaker::create(Device& device, const Stage& stage, cons
     if (!plot) return pass_on(std::move(plot));
     impl->plot = std::move(*plot);
   }
-  const std::vector<PanelPlan> plans = plan_panels(stage, scene, figure, impl->other.get());
+  const std::vector<PanelPlan> plans = plan_panels(stage, scene, figure, impl->other.get(), look);
   const Grid grid = figure.sheet.value_or(Grid{});
   impl->frame_size = panel_size(look.size, grid.columns, grid.rows);
   const std::size_t side_by_side = figure.compare_as == ComparisonPlace::inset ? 1 : plans.size();
