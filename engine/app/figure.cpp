@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/app/comparison.h"
 #include "engine/app/muscle_plot.h"
 #include "engine/app/panel.h"
 #include "engine/model/scene_words.h"
@@ -39,19 +40,13 @@ std::vector<PanelPlan> plan_panels(const Stage& stage, const SceneOptions& scene
     plans[1].view = figure.other_view;
     plans[0].label = view_word(look.view.value_or(stage.scene.camera.view));
     plans[1].label = view_word(*figure.other_view);
-  } else if (figure.compare == CompareWith::bulge) {
-    if (scene.bulge == BulgeMode::off) plans[0].scene.bulge = BulgeMode::on;
-    plans[1].scene.bulge = BulgeMode::off;
-    plans[0].label = "with bulge";
-    plans[1].label = "without bulge";
-  } else if (figure.compare == CompareWith::deformer) {
-    plans[0].scene.deformer = Deformer::rigid;
-    plans[1].scene.deformer = Deformer::ssd;
-    for (PanelPlan& plan : plans) plan.label = deformer_name(plan.scene.deformer);
   } else {
-    plans[1].figure.overlay = {};
-    plans[0].label = overlay_words(figure.overlay);
-    plans[1].label = deformer_name(scene.deformer);
+    const auto sides = compared_sides(figure.compare, scene, figure.overlay);
+    for (std::size_t i = 0; i < 2; ++i) {
+      plans[i].scene = sides[i].scene;
+      plans[i].figure.overlay = sides[i].overlay;
+      plans[i].label = sides[i].label;
+    }
   }
   return plans;
 }

@@ -117,9 +117,9 @@ Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk:
   target.samples = samples;
   target.colour_format = colour_format;
   constexpr auto one = vk::SampleCountFlagBits::e1;
-  target.colour =
-      vulkan.create_image(image_info(target, colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc),
-                          vk::ImageAspectFlagBits::eColor);
+  target.colour = vulkan.create_image(
+      image_info(target, colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc | Usage::eTransferDst),
+      vk::ImageAspectFlagBits::eColor);
   target.depth = target.create_depth(vulkan);
   if (samples != one)
     target.multisampled = vulkan.create_image(image_info(target, colour_format, samples, Usage::eColorAttachment),

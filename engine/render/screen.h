@@ -30,7 +30,9 @@ class Screen {
   Contour polygon(std::span<const Vec3> corners) const;
 
   /// True where a surface with this normal shows its front.
-  bool faces(const Vec3& p, const Vec3& normal) const { return glm::dot(normal, Vec3(eye_) - eye_.w * p) > 0.0; }
+  bool faces(const Vec3& p, const Vec3& normal) const { return glm::dot(normal, towards_eye(p)) > 0.0; }
+  /// From a point to where it is seen from; any length.
+  Vec3 towards_eye(const Vec3& p) const { return Vec3(eye_) - eye_.w * p; }
 
  private:
   Vec4 clip(const Vec3& p) const { return view_projection_ * Vec4(p, 1.0); }

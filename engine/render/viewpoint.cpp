@@ -46,6 +46,10 @@ Mat4 Viewpoint::view_projection(double aspect) const {
   return projection * view;
 }
 
+double Viewpoint::height_at(const Vec3& p) const {
+  return is_parallel() ? parallel_height : seen_height(glm::dot(eye - p, back));
+}
+
 Viewpoint look_at(const Vec3& target, double distance, const Bounds& box, const ViewDirection& direction, Rays rays) {
   Viewpoint camera = oriented(direction);
   camera.eye = target + distance * camera.back;

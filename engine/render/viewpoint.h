@@ -12,10 +12,14 @@ struct Viewpoint {
   Vec3 eye{0, 0, 5};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  ///< the camera's axes in the world; it looks along -back
   double near_plane = 0.1, far_plane = 100.0;
-  double parallel_height =
-      0.0;  ///< world length that the picture is high where all rays run along -back; 0: from the eye
+  /// World length that the picture is high where all rays run along -back; 0: they come from the eye.
+  double parallel_height = 0.0;
 
   bool is_parallel() const { return parallel_height > 0.0; }
+  /// The direction in which a point is seen, from it to the eye; any length.
+  Vec3 towards_eye(const Vec3& p) const { return is_parallel() ? back : eye - p; }
+  /// World length that the picture is high at a point's distance.
+  double height_at(const Vec3& p) const;
   /// World to Vulkan clip space (y down, depth 0 at the near plane to 1 at the far one).
   Mat4 view_projection(double aspect) const;
 };

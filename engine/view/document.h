@@ -41,6 +41,9 @@ class Document {
   Result<Touched> undo();
   Result<Touched> redo();
 
+  /// A model for scenes to come, which edit() then need not read or draw: ready_character().
+  void lend(StagedCharacter ready) { stage_.spare.insert(stage_.spare.begin(), std::move(ready)); }
+
   /// Another deformer, bulge mode or strength, which no scene holds: not undone. Everything is to be made anew.
   void set_options(Deformer deformer, BulgeMode bulge, double strength);
 

@@ -26,6 +26,20 @@ bool begin_panel(ViewState& state, const char* name, ImVec2 at, ImVec2 size) {
                           ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
+/// What moves the characters, a tab a subject.
+void draw_acting(const Document& document, ViewState& state) {
+  if (!ImGui::BeginTabBar("acting")) return;
+  if (ImGui::BeginTabItem("Pose")) {
+    draw_pose(document, state);
+    ImGui::EndTabItem();
+  }
+  if (has_face(document) && ImGui::BeginTabItem("Face")) {
+    draw_face(document, state);
+    ImGui::EndTabItem();
+  }
+  ImGui::EndTabBar();
+}
+
 void draw_help(ViewState& state) {
   if (!state.help) return;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
@@ -33,6 +47,9 @@ void draw_help(ViewState& state) {
     static constexpr const char* keys[][2] = {{"left drag", "turn the camera"},
                                               {"right or middle drag", "move it"},
                                               {"wheel", "nearer, farther"},
+                                              {"click", "choose a joint, or the bone under the skin"},
+                                              {"drag a ring", "turn the joint (Shift: steps of 5 degrees)"},
+                                              {"drag a diamond", "pull a hand or foot (reach)"},
                                               {"F", "frame everything"},
                                               {"1  3  7", "front, the character's left, top (Ctrl: opposite)"},
                                               {"5", "perspective or parallel rays"},
@@ -71,6 +88,7 @@ void set_style() {
   style.PopupRounding = 4.0f;
   style.FrameRounding = style.GrabRounding = 3.0f;
   style.WindowBorderSize = 0.0f;
+  style.GrabMinSize = 6.0f;  // beside the values, not over them
   style.ItemSpacing = {8.0f, 6.0f};
   style.Colors[ImGuiCol_WindowBg] = {0.11f, 0.12f, 0.14f, 1.0f};
   style.Colors[ImGuiCol_FrameBg] = {0.20f, 0.22f, 0.25f, 1.0f};
@@ -91,6 +109,7 @@ void show_tip(const std::string& text) {
 void draw_panels(const Document& document, ViewState& state) {
   draw_help(state);
   state.docked.clear();
+  state.extras.muscle = state.kept_muscle;
   if (!state.panels) return;
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float height = whole.y - bar_height;
@@ -101,7 +120,7 @@ void draw_panels(const Document& document, ViewState& state) {
     if (ImGui::CollapsingHeader("Muscles", ImGuiTreeNodeFlags_DefaultOpen)) draw_muscles(document, state);
   }
   ImGui::End();
-  if (begin_panel(state, "pose", {whole.x - side_width, 0.0f}, {side_width, height})) draw_pose(document, state);
+  if (begin_panel(state, "act", {whole.x - side_width, 0.0f}, {side_width, height})) draw_acting(document, state);
   ImGui::End();
   if (begin_panel(state, "time", {0.0f, whole.y - bar_height}, {whole.x, bar_height})) draw_time(document, state);
   ImGui::End();

@@ -33,9 +33,10 @@ Result<void> ViewerSession::make_pictures(Shown& shown, std::vector<std::string>
   look.size = size_;
   look.for_window = true;
   // What the scene says is edited here; only what it cannot say comes from the command line.
-  auto made = FrameMaker::create(device_, shown.document.stage(), shown.document.options(), look, problems);
+  auto made = WindowPicture::create(device_, shown.document, look, problems);
   if (!made) return pass_on(std::move(made));
-  shown.maker.emplace(std::move(*made));
+  shown.picture.emplace(std::move(*made));
+  state_.compared = {shown.picture->left_label(), shown.picture->right_label()};
   return {};
 }
 
@@ -52,6 +53,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   if (!document) return pass_on(std::move(document));
   auto shown = std::make_unique<Shown>(std::move(*document));
   if (auto ok = make_pictures(*shown, problems); !ok) return ok;
+  heads_.drop();
   shown_ = std::move(shown);
   state_.file = scene.scene.empty() ? "the embedded scene" : scene.scene;
   const bool is_scene_file = std::filesystem::path(scene.scene).extension() == ".json";
@@ -83,7 +85,7 @@ Result<void> ViewerSession::follow(Touched what) {
 Result<void> ViewerSession::show_frame(Window& window) {
   const PictureSize size = window.size();
   if (size.width > 0 && size.height > 0 && (size.width != size_.width || size.height != size_.height)) {
-    if (auto ok = maker().resize(size); !ok) return ok;
+    if (auto ok = shown_->picture->resize(size); !ok) return ok;
     size_ = size;
     stale_ = true;
   }
@@ -97,10 +99,12 @@ Result<void> ViewerSession::show_frame(Window& window) {
   const PixelBox free = uncovered(size_.width, size_.height, state_.docked);
   const PictureArea seen{free.left, free.top, free.right - free.left, free.bottom - free.top};
   // A measured run draws what it shows, every time.
-  if (stale_ || frame != drawn_frame_ || seen != drawn_area_ || options_.frames > 0) {
+  if (stale_ || frame != drawn_frame_ || seen != drawn_area_ || !(state_.extras == drawn_extras_) ||
+      options_.frames > 0) {
     state_.states = maker().pose(frame);
-    if (auto ok = maker().draw_for_window(frame, state_.states, seen); !ok) return ok;
+    if (auto ok = shown_->picture->draw(frame, state_.states, state_.extras, seen); !ok) return ok;
     drawn_frame_ = frame;
+    drawn_extras_ = state_.extras;
     drawn_area_ = seen;
     stale_ = false;
   }

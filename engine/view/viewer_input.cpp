@@ -13,6 +13,7 @@ void ViewerSession::look_from(const OrbitCamera& camera) {
 
 void ViewerSession::take_pointer() {
   const ImGuiIO& io = ImGui::GetIO();
+  if (tools_.work(document(), state_, maker().shot(state_.playback.shown()).viewpoint) && io.MouseWheel == 0.0f) return;
   if (io.WantCaptureMouse) return;
   const double height = std::max(1.0f, io.DisplaySize.y);
   OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());

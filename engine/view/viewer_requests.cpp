@@ -1,7 +1,5 @@
 #include <utility>
 
-#include "engine/core/files.h"
-#include "engine/io/png.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -27,27 +25,22 @@ void ViewerSession::take_edit(const Result<Touched>& done, const std::string& sa
 }
 
 void ViewerSession::take_photo() {
-  const int frame = state_.playback.shown();
-  auto picture = maker().picture(frame);
-  if (!picture) return say(picture.error());
-  const std::filesystem::path scene = state_.save_as;
-  const std::filesystem::path file = scene.parent_path() / fmt::format("{}_{:04}.png", scene.stem().string(), frame);
-  const auto png = encode_png(picture->rgba, picture->width, picture->height, {}, false);
-  if (!png) return say(png.error());
-  if (auto ok = write_file(file, *png); !ok) return say(ok.error());
-  say(file.string() + " written");
+  const auto file = shown_->picture->save_photo(state_.playback.shown(), state_.save_as);
+  file ? say(*file + " written") : say(file.error());
 }
 
 void ViewerSession::take_requests(Window& window) {
   take_file_requests(window);
   follow_recording();
   follow_library();
-  if (const auto edit = std::exchange(state_.edit, std::nullopt)) {
-    auto done = document().edit(edit->scene, edit->label, edit->merge);
-    take_edit(done, edit->label);
-  }
+  const auto edit = std::exchange(state_.edit, std::nullopt);
+  if (edit && !heads_.take(document(), edit->scene, edit->label, edit->merge))
+    take_edit(document().edit(edit->scene, edit->label, edit->merge), edit->label);
+  if (const auto drawn = heads_.finish(document())) take_edit(*drawn, heads_.label());
+  state_.wanted_head = heads_.wanted();
   const bool ended = std::exchange(state_.edit_ended, false);
-  if (ended) document().seal();
+  if (ended) heads_.is_busy() ? heads_.seal() : document().seal();
+  if (state_.undo || state_.redo) heads_.drop();
   if (std::exchange(state_.undo, false) && document().can_undo()) {
     const std::string label = document().undo_label();
     take_edit(document().undo(), "undone: " + label);
@@ -62,7 +55,7 @@ void ViewerSession::take_requests(Window& window) {
   }
   // The box of all frames takes long to find: not while a slider is being dragged.
   if (bounds_stale_ && (ended || !document().is_merging())) {
-    maker().follow_stage();
+    shown_->picture->follow_stage();
     bounds_stale_ = false;
     stale_ = true;
   }

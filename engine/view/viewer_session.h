@@ -6,10 +6,13 @@
 
 #include "engine/view/file_watch.h"
 #include "engine/view/film_recorder.h"
+#include "engine/view/head_work.h"
 #include "engine/view/orbit_camera.h"
 #include "engine/view/panels.h"
+#include "engine/view/picture_tools.h"
 #include "engine/view/preferences.h"
 #include "engine/view/viewer.h"
+#include "engine/view/window_picture.h"
 
 namespace sinew {
 
@@ -31,15 +34,15 @@ class ViewerSession {
  private:
   Result<void> show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems);
 
-  /// Everything of one opened scene; the maker points into the document, so they stay and go together.
+  /// Everything of one opened scene; the picture points into the document, so they stay and go together.
   struct Shown {
     Document document;
-    std::optional<FrameMaker> maker;
+    std::optional<WindowPicture> picture;
     explicit Shown(Document opened) : document(std::move(opened)) {}
   };
 
   Document& document() { return shown_->document; }
-  FrameMaker& maker() { return *shown_->maker; }
+  FrameMaker& maker() { return shown_->picture->maker(); }
   double aspect() const { return double(size_.width) / std::max(1, size_.height); }
 
   Result<void> make_pictures(Shown& shown, std::vector<std::string>& problems);
@@ -76,7 +79,7 @@ class ViewerSession {
   Result<void> show_frame(Window& window);
   /// True while anything runs beside the window.
   bool works_beside() const {
-    return opening_.valid() || recording_.running() || state_.motion.browser.task().running();
+    return opening_.valid() || heads_.is_busy() || recording_.running() || state_.motion.browser.task().running();
   }
 
   Device& device_;
@@ -84,6 +87,8 @@ class ViewerSession {
   ViewState state_;
   PictureSize size_;
   std::unique_ptr<Shown> shown_;
+  HeadWork heads_;
+  PictureTools tools_;
   std::future<Result<Stage>> opening_;
   SceneOptions opening_options_;
   bool reloading_ = false;  ///< what is being opened is the file that is shown
@@ -96,6 +101,7 @@ class ViewerSession {
   bool stale_ = true;                       ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
   PictureArea drawn_area_;
+  ViewExtras drawn_extras_;
 };
 
 }  // namespace sinew

@@ -94,6 +94,25 @@ class View : public ProgramTest {
     }
     return false;
   }
+  /// Presses the left button at one point, goes to another and lets go.
+  void drag(int from_x, int from_y, int to_x, int to_y) const {
+    act(fmt::format("mousemove {} {}", from_x, from_y));
+    std::this_thread::sleep_for(300ms);
+    act("mousedown 1");
+    constexpr int steps = 6;
+    for (int i = 1; i <= steps; ++i) {
+      act(fmt::format("mousemove {} {}", from_x + (to_x - from_x) * i / steps, from_y + (to_y - from_y) * i / steps));
+      std::this_thread::sleep_for(100ms);
+    }
+    act("mouseup 1");
+    std::this_thread::sleep_for(500ms);
+  }
+  void click(int x, int y) const {
+    act(fmt::format("mousemove {} {}", x, y));
+    std::this_thread::sleep_for(300ms);
+    act("click 1");
+    std::this_thread::sleep_for(700ms);
+  }
   void wait_for_window() const {
     act("search --sync --onlyvisible --name Sinew");
     std::this_thread::sleep_for(1s);
