@@ -50,7 +50,7 @@ void draw_help(ViewState& state) {
                                               {"click", "choose a joint, or the bone under the skin"},
                                               {"drag a ring", "turn the joint (Shift: steps of 5 degrees)"},
                                               {"drag a diamond", "pull a hand or foot (reach)"},
-                                              {"F", "frame everything"},
+                                              {"F", "frame everything beside the panels"},
                                               {"1  3  7", "front, the character's left, top (Ctrl: opposite)"},
                                               {"5", "perspective or parallel rays"},
                                               {"9", "three-quarter"},

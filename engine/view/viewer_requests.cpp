@@ -63,7 +63,7 @@ void ViewerSession::take_requests(Window& window) {
   if (std::exchange(state_.toggle_projection, false)) toggle_projection();
   if (std::exchange(state_.frame_all, false)) {
     OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
-    camera.frame(maker().bounds(), aspect());
+    camera.frame(maker().bounds(), size_, uncovered(size_.width, size_.height, state_.docked));
     look_from(camera);
   }
   if (std::exchange(state_.screenshot, false)) take_photo();

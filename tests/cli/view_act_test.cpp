@@ -36,10 +36,10 @@ class ViewAct : public View {
 
 TEST_F(ViewAct, AFaceIsPulledAndGrowsYounger) {
   const nlohmann::json scene = after("builtin:head", [&] {
-    click(1043, 26);             // Face
-    drag(1115, 256, 1115, 280);  // the chin
-    drag(986, 381, 1040, 381);   // smile
-    drag(986, 531, 1115, 531);   // age
+    click(1051, 18);             // Face
+    drag(1130, 257, 1130, 281);  // the chin
+    drag(994, 384, 1048, 384);   // smile
+    drag(994, 534, 1123, 534);   // age
     std::this_thread::sleep_for(2s);
     act("key p");
     std::this_thread::sleep_for(3s);

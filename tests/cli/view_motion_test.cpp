@@ -51,7 +51,7 @@ TEST_F(ViewMotion, AKeyIsDraggedInTheCurveEditorAndUndone) {
     act("click 1");
     std::this_thread::sleep_for(500ms);
   };
-  click(1100, 426);  // leftLowerArm
+  click(1100, 480);  // leftLowerArm
   click(700, 327);   // the scene's keys
   click(723, 354);   // of y
   act("mousemove 801 581");
