@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "engine/deform/face.h"
+#include "engine/face/face_shapes.h"
 #include "engine/face/model_face.h"
 #include "engine/io/obj_model.h"
 #include "tests/face/head_fixture.h"
@@ -254,6 +255,73 @@ TEST(Transfer, IctFaceTakesEveryExpression) {
   EXPECT_GT(head.face.vertices[place("chin")].jaw, 0.9);
   EXPECT_GT(head.face.vertices[place("lidUpperInnerLeft")].close_upper, 0.2);
   EXPECT_EQ(head.face.vertices[place("lidUpperInnerLeft")].close_lower, 0.0);
+}
+
+/// A real head with the face that its own landmarks give it.
+ModelFace found_face(const std::filesystem::path& file) {
+  const auto model = read_mesh_model(file);
+  EXPECT_TRUE(model) << model.error().message;
+  const auto found = find_model_landmarks(*model);
+  EXPECT_TRUE(found) << found.error().message;
+  LandmarkPlaces places;
+  for (const auto& [name, place] : found->marks) places[name] = place;
+  auto face = model_face(*model, places, file.string());
+  EXPECT_TRUE(face) << face.error().message;
+  return std::move(*face);
+}
+
+TEST(Transfer, ShapesLeaveForeignEyeballsWhereTheyAre) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  for (const char* file : {"characters/makehuman/mh_male_game.glb", "faces/ict/generic_neutral_mesh.obj"}) {
+    const ModelFace face = found_face(assets / file);
+    const Head& head = face.transfer.head;
+    const HeadShape rest{"", head.positions, head.normals};
+    for (const ShapeRecipe& recipe : shape_recipes(head.face, false)) {
+      const auto changes = [&](std::initializer_list<FaceChannel> channels) {
+        return std::ranges::any_of(channels, [&](FaceChannel c) { return channel(recipe.to, c) != 0.0; });
+      };
+      using C = FaceChannel;
+      if (changes({C::eye_left_yaw, C::eye_left_pitch, C::eye_right_yaw, C::eye_right_pitch})) continue;
+      const HeadShape shape =
+          shape_of(head.face, rest, recipe, [&](const FaceChannels& c) { return posed_head(head, c); });
+      std::array<double, 2> moved{};
+      for (std::size_t v = 0; v < head.positions.size(); ++v)
+        if (const FaceVertex& vertex = head.face.vertices[v]; vertex.ball)
+          moved[static_cast<std::size_t>(vertex.eye)] = std::max(moved[static_cast<std::size_t>(vertex.eye)],
+                                                                 glm::distance(shape.positions[v], head.positions[v]));
+      const std::array<bool, 2> lids{changes({C::upper_lid_left, C::lower_lid_left}),
+                                     changes({C::upper_lid_right, C::lower_lid_right})};
+      // Shut lids need a fifth of the radius, and the ball's farthest vertex lies a little beyond its radius. What
+      // moves the skin round the lids, such as the brow, pulls them a little.
+      for (std::size_t eye = 0; eye < 2; ++eye)
+        EXPECT_LT(moved[eye], (lids[eye] ? 1.1 * (1.0 - least_eye_share) : 0.02) * head.face.eye_radius)
+            << file << " " << recipe.name << " eye " << eye;
+    }
+  }
+}
+
+TEST(Transfer, NormalsAreThoseOfTheMovedSurface) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  const ModelFace face = found_face(assets / "characters/makehuman/mh_male_game.glb");
+  const Head& head = face.transfer.head;
+  for (const char* name : {"smile", "laugh", "surprise", "anger", "disgust"}) {
+    const FaceState state = face_state(head.face, for_head(head.face, find_expression(name).value()->channels(false)));
+    std::vector<Vec3> posed(head.positions.size()), normals(head.positions.size());
+    FaceJob{head.face, state, head.positions, head.normals, posed, normals}.run();
+    const std::vector<Vec3> wanted = head_normals(head, posed);
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t v = 0; v < posed.size(); ++v) {
+      if (glm::distance(posed[v], head.positions[v]) > 1e-3) {
+        sum += angle_degrees(normals[v], wanted[v]);
+        ++count;
+      } else if (wanted[v] == head.normals[v]) {
+        ASSERT_LT(angle_degrees(normals[v], wanted[v]), 1.0) << name << ": what does not move is shaded as at rest";
+      }
+    }
+    // Signals add up linearly, surfaces turn: a few degrees where several meet.
+    EXPECT_LT(sum / count, 4.0) << name;
+  }
 }
 
 TEST(Transfer, MakeHumanBodyFindsItsOwnLandmarks) {
