@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/body/built_in_model.h"
 #include "engine/deform/face.h"
 #include "engine/face/face_shapes.h"
 #include "engine/face/model_face.h"
@@ -322,6 +323,55 @@ TEST(Transfer, NormalsAreThoseOfTheMovedSurface) {
     // Signals add up linearly, surfaces turn: a few degrees where several meet.
     EXPECT_LT(sum / count, 4.0) << name;
   }
+}
+
+TEST(Transfer, LipsThatTouchAlongACutPart) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  const ModelFace face = found_face(assets / "characters/mesh2motion/human-sintel.glb");
+  EXPECT_TRUE(face.transfer.notes.empty()) << face.transfer.notes[0];  // eyes that lie on the lids' edge are balls
+  // In the middle of the mouth the jaw's share never changes between neighbours by more than a lip's thickness does.
+  const FaceRig& rig = face.transfer.head.face;
+  const std::vector<Vec3>& at = face.transfer.head.positions;
+  const double contact = 0.66, half_mouth = 0.15;  // drawing units
+  for (const HeadTriangle& t : face.transfer.head.triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = t.corners[c], b = t.corners[(c + 1) % 3];
+      if (std::abs(at[a].x) > half_mouth || std::abs(at[a].y - contact) > 0.1 || at[a].z < 1.3) continue;
+      EXPECT_LT(std::abs(rig.vertices[a].jaw - rig.vertices[b].jaw), 0.5) << a << " " << b;
+    }
+}
+
+TEST(Transfer, ABodyWithoutASkeletonHasItsHeadAboveItsNeck) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  // A body with helpers for clothes and joints about it, in decimetres.
+  const auto model = read_mesh_model(assets / "makehuman/base.obj");
+  ASSERT_TRUE(model) << model.error().message;
+  const auto found = find_model_landmarks(*model);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_TRUE(found->by_features);
+  // Its foremost vertex, and where the chin turns under.
+  EXPECT_NEAR(found->marks.at("noseTip").y, 6.914, 0.03);
+  EXPECT_NEAR(found->marks.at("chin").y, 6.17, 0.04);
+  const ModelFace face = found_face(assets / "makehuman/base.obj");
+  EXPECT_NEAR(face.transfer.head.measures.height, 2.3, 0.25);
+  EXPECT_TRUE(face.transfer.notes.empty());
+  expect_face(face, "base.obj");
+}
+
+TEST(Transfer, AHeadWithoutAFaceIsKnown) {
+  auto body = built_in_model("builtin:woman");
+  ASSERT_TRUE(body);
+  const auto smooth = find_model_landmarks(*body);
+  ASSERT_TRUE(smooth) << smooth.error().message;
+  EXPECT_FALSE(smooth->by_features);
+  SINEW_ASSETS_OR_SKIP(assets);
+  // A crown hides the face: what is missing is named.
+  const auto king = read_mesh_model(assets / "characters/quaternius/modular_men_King.glb");
+  ASSERT_TRUE(king);
+  const auto found = find_model_landmarks(*king);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().kind, ErrorKind::bad_input);
+  EXPECT_NE(found.error().message.find("no \"eyeInnerLeft\""), std::string::npos) << found.error().message;
 }
 
 TEST(Transfer, MakeHumanBodyFindsItsOwnLandmarks) {
