@@ -22,6 +22,11 @@ struct FoundLandmarks {
   bool by_features = true;         ///< false: neither nose, lips nor eyes were seen, all are by proportion
 };
 
+/// What to tell people where nothing was seen (by_features).
+constexpr const char* no_features =
+    "neither nose, lips nor eyes were found on it: its face is laid on by a head's proportions and shows little or "
+    "nothing; a file of landmarks says where its face is";
+
 /// `mesh`: at rest. Fails as bad_input where there is no head to be seen: too few vertices, or no profile, or no
 /// place for a landmark that a face cannot do without. `name`: the
 /// model's, for messages.
