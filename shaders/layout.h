@@ -146,8 +146,8 @@ struct FrameUniforms {
   mat4 view_projection;
   mat4 light_projection;    // world to the shadow map's clip space
   mat4 contact_projection;  // world to the contact map's clip space
-  vec4 eye;                 // world position of the camera, unused
-  vec4 back;                // the camera's axis, away from what it sees; unused
+  vec4 eye;                 // world position of the camera, 1; of parallel rays their direction towards it, 0
+  vec4 back;                // the camera's axis, away from what it sees; the camera's place along it
   vec4 key;          // directions towards the lights in the world, unit length; unused
   vec4 fill;
   vec4 rim;

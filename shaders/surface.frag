@@ -31,8 +31,10 @@ vec3 weight_colour(float w) {
   return mix(mix(mix(mix(none, some, clamp(t, 0.0, 1.0)), half_way, clamp(t - 1.0, 0.0, 1.0)), most, clamp(t - 2.0, 0.0, 1.0)), all, clamp(t - 3.0, 0.0, 1.0));
 }
 
+vec3 towards_eye() { return frame.eye.xyz - frame.eye.w * world_position; }
+
 vec3 lit(Reflector r, vec3 n) {
-  const vec3 to_eye = normalize(frame.eye.xyz - world_position);
+  const vec3 to_eye = normalize(towards_eye());
   vec3 light = light_from_all_round(n, to_eye, r);
   vec3 key = light_from(key_light, frame.key.xyz, n, to_eye, r);
   if (shadows) key *= key_light_at(world_position, n);
@@ -69,7 +71,7 @@ vec3 emission() {
 vec3 facing_normal() {
   if (shading == shading_flat) {
     const vec3 n = normalize(cross(dFdx(world_position), dFdy(world_position)));
-    return dot(n, frame.eye.xyz - world_position) < 0.0 ? -n : n;
+    return dot(n, towards_eye()) < 0.0 ? -n : n;
   }
   vec3 n = normalize(world_normal);
 #ifdef SINEW_RICH
@@ -101,7 +103,7 @@ void main() {
 #endif
     case shading_bulge: shown = srgb_from_linear(plain(heat(bulge_height / max(frame.depth_range.z, 1e-12)), n)); break;
     case shading_depth: {
-      const float z = dot(frame.eye.xyz - world_position, frame.back.xyz);
+      const float z = frame.back.w - dot(world_position, frame.back.xyz);
       shown = vec3(1.0 - clamp((z - frame.depth_range.x) / (frame.depth_range.y - frame.depth_range.x), 0.0, 1.0));
       break;
     }

@@ -13,7 +13,9 @@ layout(location = 0) noperspective out float across;  // pixels from the middle 
 const float lift = 0.002;
 
 vec4 clip_of(uint vertex) {
-  const vec3 position = mix(vertex_words[vertex * words_per_output].xyz, frame.eye.xyz, lift);
+  const vec3 at = vertex_words[vertex * words_per_output].xyz;
+  const float distance_share = frame.eye.w > 0.0 ? 1.0 : frame.back.w - dot(at, frame.back.xyz);
+  const vec3 position = at + lift * distance_share * (frame.eye.xyz - frame.eye.w * at);
   return frame.view_projection * vec4(position, 1.0);
 }
 

@@ -4,6 +4,7 @@
 
 #include "engine/body/headed_figure.h"
 #include "engine/core/files.h"
+#include "engine/core/interrupt.h"
 #include "engine/core/text.h"
 #include "engine/io/gltf_write.h"
 #include "tools/command.h"
@@ -69,8 +70,10 @@ Result<void> figure(const Words& words) {
   if (!options) return tl::unexpected<Error>(options.error());
   if (auto ok = check_figure_options(*options); !ok) return ok;
   if (auto ok = check_writable(words.output); !ok) return ok;
+  std::optional<EndAtOnce> nothing_is_open(std::in_place);
   const auto model = figure_model(words, *options);
   if (!model) return tl::unexpected<Error>(model.error());
+  nothing_is_open.reset();
   const auto bytes = rig_glb(*model);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   if (auto ok = write_file(words.output, *bytes); !ok) return ok;

@@ -168,9 +168,11 @@ void add_render(CLI::App& program, Run& run) {
   add_look_options(*command, words->look);
   command->add_option(
       "--overlay", words->overlay,
-      "Drawn over the picture, by commas: wire or wire-all, skeleton, bones, muscles, arrows, projection, box, axes");
-  command->add_option("--compare", words->compare,
-                      "Panels side by side: bulge, deformer, overlay, or another scene or model");
+      "Drawn over the picture, by commas: wire or wire-all, skeleton, bones, muscles, arrows, projection, box, axes; "
+      "of a face guides, regions");
+  command->add_option(
+      "--compare", words->compare,
+      "Panels side by side: bulge, deformer, overlay, another view such as left, or another scene or model");
   command->add_option("--compare-as", words->compare_as, "panels, or inset: the second panel at the lower right");
   command->add_option("--zoom", words->zoom, "An inset near this joint or muscle, at the upper right");
   command->add_option("--plot", words->plot,

@@ -11,7 +11,7 @@ namespace {
 struct Words {
   CommonOptions common;
   SceneWords scene;
-  std::string size = "1280x720";
+  std::optional<std::string> size;
   int samples = 1;
   std::optional<int> shown;
   bool uncapped = false;
@@ -22,7 +22,7 @@ Result<ViewerOptions> viewer_options(const Words& words) {
   auto scene = scene_options(words.scene);
   if (!scene) return pass_on(std::move(scene));
   options.scene = std::move(*scene);
-  auto size = parse_size(words.size);
+  auto size = parse_size(words.size.value_or("1280x720"));
   if (!size) return pass_on(std::move(size));
   options.look.size = *size;
   const auto samples = check_samples(words.samples);
@@ -32,6 +32,8 @@ Result<ViewerOptions> viewer_options(const Words& words) {
     return failure(ErrorKind::usage, "--frames {}: expected 1 to 1,000,000 frames to show", *words.shown);
   options.frames = words.shown.value_or(0);
   options.uncapped = words.uncapped;
+  options.size_given = words.size.has_value();
+  options.device = {words.common.device, words.common.validate};
   return options;
 }
 
@@ -66,7 +68,7 @@ void add_view(CLI::App& program, Run& run) {
   command->footer("Example: sinew view character.glb\nIn the window: F1 lists the keys.");
   auto words = std::make_shared<Words>();
   add_stage_options(*command, words->scene);
-  command->add_option("--size", words->size, "WIDTHxHEIGHT of the window (1280x720)");
+  command->add_option("--size", words->size, "WIDTHxHEIGHT of the window (as it was last, at first 1280x720)");
   command->add_option("--samples", words->samples, "1 or 4 samples a pixel (1)");
   command->add_option("--frames", words->shown, "Show so many frames, then end");
   command->add_flag("--uncapped", words->uncapped, "As fast as they come, for measurements");

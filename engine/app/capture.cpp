@@ -155,6 +155,13 @@ Result<CapturedFrame> timed(Result<CapturedFrame> written, Clock::time_point beg
   return written;
 }
 
+/// Between two frames: has a signal come, or has whoever watches had enough?
+Result<void> check_stop(const CaptureOptions& options) {
+  if (options.watch != nullptr)
+    if (auto ok = options.watch->check(); !ok) return ok;
+  return check_interrupt();
+}
+
 /// Rendering for hours what can be put nowhere helps nobody.
 Result<void> check_folder(const std::string& output) {
   const std::filesystem::path named = std::filesystem::path(output).parent_path();
@@ -178,7 +185,7 @@ Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figu
   });
   Progress progress("rendering", frames.size(), options.progress);
   for (const int number : frames) {
-    if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    if (auto ok = check_stop(options); !ok) return pass_on(std::move(ok));
     if (auto ok = check_folder(options.output); !ok) return pass_on(std::move(ok));
     const Clock::time_point begun = Clock::now();
     CapturedFrame frame;
@@ -195,6 +202,7 @@ Result<CaptureReport> capture_pictures(const Draw& draw, const std::string& figu
     while (auto written = writing.take_ready()) outcome.add(std::move(*written));
     if (outcome.hopeless()) break;
     progress.advance();
+    if (options.watch != nullptr) options.watch->advance();
   }
   while (auto written = writing.take_next()) outcome.add(std::move(*written));
   stopwatch.read(outcome.report);
@@ -229,7 +237,7 @@ Result<CaptureReport> capture_film(const Draw& draw, const Stage& stage, const C
   });
   Progress progress("filming", frames.size(), options.progress);
   for (const int number : frames) {
-    if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    if (auto ok = check_stop(options); !ok) return pass_on(std::move(ok));
     if (auto ok = check_folder(options.output); !ok) return pass_on(std::move(ok));
     const Clock::time_point begun = Clock::now();
     CapturedFrame frame;
@@ -240,6 +248,7 @@ Result<CaptureReport> capture_film(const Draw& draw, const Stage& stage, const C
     while (auto written = writing.take_ready()) outcome.add(std::move(*written));
     if (outcome.first_failure()) return tl::unexpected<Error>(*outcome.first_failure());
     progress.advance();
+    if (options.watch != nullptr) options.watch->advance();
   }
   while (auto written = writing.take_next()) outcome.add(std::move(*written));
   if (outcome.first_failure()) return tl::unexpected<Error>(*outcome.first_failure());
@@ -297,6 +306,7 @@ Result<CaptureReport> capture(Device& device, const Stage& stage, const CaptureO
   if (numbers.empty())
     spdlog::info("shard {}/{} has no frame: there are only {}", options.shard.index, options.shard.count,
                  maker->numbers(frames).size());
+  if (options.watch != nullptr) options.watch->begin(numbers.size());
   const Draw draw = [&](int number) { return maker->picture(number, frames); };
   return film ? capture_film(draw, stage, options, numbers, outcome)
               : capture_pictures(draw, maker->recipe(frames), stage, options, numbers, outcome);

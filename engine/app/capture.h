@@ -3,6 +3,7 @@
 
 #include "engine/app/figure.h"
 #include "engine/core/progress.h"
+#include "engine/core/task_watch.h"
 
 namespace sinew {
 
@@ -22,6 +23,7 @@ struct CaptureOptions {
   Shard shard;
   bool resume = false;  ///< keep a frame whose file is whole, has the right size and was made by the same recipe
   ProgressStyle progress = ProgressStyle::automatic;
+  TaskWatch* watch = nullptr;  ///< counts frames; cancelled, it stops capture() as a signal does
 };
 
 struct CapturedFrame {

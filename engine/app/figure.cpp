@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/app/comparison.h"
 #include "engine/app/muscle_plot.h"
 #include "engine/app/panel.h"
+#include "engine/model/scene_words.h"
 
 namespace sinew {
 namespace {
@@ -18,32 +20,33 @@ struct PanelPlan {
   SceneOptions scene;
   FigureLook figure;
   std::string label;
+  std::optional<View> view;  ///< in place of the figure's
 };
+
+std::string view_word(View view) { return view_names()[static_cast<std::size_t>(view)]; }
 
 std::string short_name(const Stage& stage) { return std::filesystem::path(stage.source).filename().string(); }
 
 std::vector<PanelPlan> plan_panels(const Stage& stage, const SceneOptions& scene, const FigureLook& figure,
-                                   const Stage* other) {
-  std::vector<PanelPlan> plans{{&stage, scene, figure, ""}};
-  if (figure.compare == CompareWith::none && other == nullptr) return plans;
+                                   const Stage* other, const LookOptions& look) {
+  std::vector<PanelPlan> plans{{&stage, scene, figure, "", std::nullopt}};
+  if (!figure.compares()) return plans;
   plans.push_back(plans.front());
   if (other != nullptr) {
     plans[1].stage = other;
     plans[0].label = short_name(stage);
     plans[1].label = short_name(*other);
-  } else if (figure.compare == CompareWith::bulge) {
-    if (scene.bulge == BulgeMode::off) plans[0].scene.bulge = BulgeMode::on;
-    plans[1].scene.bulge = BulgeMode::off;
-    plans[0].label = "with bulge";
-    plans[1].label = "without bulge";
-  } else if (figure.compare == CompareWith::deformer) {
-    plans[0].scene.deformer = Deformer::rigid;
-    plans[1].scene.deformer = Deformer::ssd;
-    for (PanelPlan& plan : plans) plan.label = deformer_name(plan.scene.deformer);
+  } else if (figure.other_view) {
+    plans[1].view = figure.other_view;
+    plans[0].label = view_word(look.view.value_or(stage.scene.camera.view));
+    plans[1].label = view_word(*figure.other_view);
   } else {
-    plans[1].figure.overlay = {};
-    plans[0].label = overlay_words(figure.overlay);
-    plans[1].label = deformer_name(scene.deformer);
+    const auto sides = compared_sides(figure.compare, scene, figure.overlay);
+    for (std::size_t i = 0; i < 2; ++i) {
+      plans[i].scene = sides[i].scene;
+      plans[i].figure.overlay = sides[i].overlay;
+      plans[i].label = sides[i].label;
+    }
   }
   return plans;
 }
@@ -55,17 +58,14 @@ PictureSize panel_size(const PictureSize& whole, int columns, int rows) {
           std::max((whole.height - (rows + 1) * gutter) / rows, 1)};
 }
 
-std::array<std::uint8_t, 4> background_bytes(const Stage& stage, const LookOptions& look) {
-  const Colour colour = look.background.value_or(stage.scene.look.background);
-  return {colour.red, colour.green, colour.blue, colour.alpha};
-}
-
-/// A sheet put into the middle of a picture of exactly the size that was asked for: rounding leaves a few pixels over.
-Picture centred(const Picture& inner, const PictureSize& size, const std::array<std::uint8_t, 4>& background) {
+/// A sheet put into the middle of a picture of exactly the size that was asked for: rounding leaves a few pixels over,
+/// which go on as its gutters.
+Picture centred(const Picture& inner, const PictureSize& size) {
   if (inner.width == size.width && inner.height == size.height) return inner;
+  const Colour paper = SheetOptions{}.background;
   Picture whole{size.width, size.height, {}};
-  whole.rgba.resize(std::size_t{4} * size.width * size.height);
-  for (std::size_t i = 0; i < whole.rgba.size(); ++i) whole.rgba[i] = background[i % 4];
+  for (long long i = 0; i < 1LL * size.width * size.height; ++i)
+    whole.rgba.insert(whole.rgba.end(), {paper.red, paper.green, paper.blue, paper.alpha});
   const int left = std::max((size.width - inner.width) / 2, 0), top = std::max((size.height - inner.height) / 2, 0);
   const int width = std::min(inner.width, size.width), height = std::min(inner.height, size.height);
   for (int y = 0; y < height; ++y)
@@ -83,7 +83,6 @@ struct FigureMaker::Impl {
   FigureLook figure;
   std::optional<MusclePlotMaker> plot;
   PictureSize size, frame_size, panel_size;  ///< of the whole, of one frame's panels together, and of one of them
-  std::array<std::uint8_t, 4> background{};
   std::optional<Font> font;
 
   Result<void> make_panels(Device& device, const std::vector<PanelPlan>& plans, const LookOptions& look,
@@ -129,7 +128,7 @@ Result<Picture> FigureMaker::Impl::row(int frame, double orbit) {
         {&(*pictures)[i], figure.compare_as == ComparisonPlace::panels && i < labels.size() ? labels[i] : ""});
   auto laid_out = sheet(cells, {.gutter = gutter}, font_or_null());
   if (!laid_out) return laid_out;
-  return centred(*laid_out, frame_size, background);
+  return centred(*laid_out, frame_size);
 }
 
 Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames) {
@@ -151,7 +150,7 @@ Result<Picture> FigureMaker::Impl::contact_sheet(const std::vector<int>& frames)
   for (std::size_t i = 0; i < pictures.size(); ++i) cells.push_back({&pictures[i], names[i]});
   auto laid_out = sheet(cells, {.columns = grid.columns, .rows = grid.rows, .gutter = gutter}, font_or_null());
   if (!laid_out) return laid_out;
-  return centred(*laid_out, size, background);
+  return centred(*laid_out, size);
 }
 
 FigureMaker::FigureMaker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -164,6 +163,7 @@ Result<void> FigureMaker::Impl::make_panels(Device& device, const std::vector<Pa
   for (const PanelPlan& plan : plans) {
     LookOptions panel_look = look;
     panel_look.size = panel_size;
+    if (plan.view) panel_look.view = plan.view;
     if (inset && !panels.empty() && figure.zoom.empty()) panel_look.size = inset_size(panel_size);
     std::vector<std::string> found;
     auto panel = PanelMaker::create(device, *plan.stage, plan.scene, panel_look, plan.figure, found);
@@ -182,7 +182,6 @@ Result<FigureMaker> FigureMaker::create(Device& device, const Stage& stage, cons
   auto impl = std::make_unique<Impl>();
   impl->figure = figure;
   impl->size = look.size;
-  impl->background = background_bytes(stage, look);
   if (!figure.other.empty()) {
     SceneOptions other = scene;
     other.scene = figure.other;
@@ -198,7 +197,7 @@ Result<FigureMaker> FigureMaker::create(Device& device, const Stage& stage, cons
     if (!plot) return pass_on(std::move(plot));
     impl->plot = std::move(*plot);
   }
-  const std::vector<PanelPlan> plans = plan_panels(stage, scene, figure, impl->other.get());
+  const std::vector<PanelPlan> plans = plan_panels(stage, scene, figure, impl->other.get(), look);
   const Grid grid = figure.sheet.value_or(Grid{});
   impl->frame_size = panel_size(look.size, grid.columns, grid.rows);
   const std::size_t side_by_side = figure.compare_as == ComparisonPlace::inset ? 1 : plans.size();

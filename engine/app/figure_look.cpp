@@ -80,7 +80,14 @@ FigureLook figure_look(const FigureOptions& options, const Look& look) {
     const auto words = comparison_names();
     const auto word = std::ranges::find(words, *options.compare);
     figure.compare = word == words.end() ? CompareWith::none : static_cast<CompareWith>(word - words.begin());
-    if (word == words.end()) figure.other = *options.compare;
+    if (word == words.end()) {
+      const auto views = view_names();
+      const auto view = std::ranges::find(views, *options.compare);
+      if (view != views.end())
+        figure.other_view = static_cast<View>(view - views.begin());
+      else
+        figure.other = *options.compare;
+    }
   }
   figure.compare_as = options.compare_as.value_or(look.compare_as);
   figure.zoom = options.zoom.value_or(look.zoom);
@@ -98,6 +105,7 @@ std::string figure_text(const FigureLook& figure) {
   nlohmann::ordered_json json;
   json["overlay"] = overlay_words(figure.overlay);
   json["compare"] = {static_cast<int>(figure.compare), static_cast<int>(figure.compare_as)};
+  if (figure.other_view) json["other_view"] = static_cast<int>(*figure.other_view);
   json["zoom"] = figure.zoom;
   json["plot"] = static_cast<int>(figure.plot);
   if (figure.sheet) json["sheet"] = {figure.sheet->columns, figure.sheet->rows, figure.captions};

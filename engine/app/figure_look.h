@@ -20,8 +20,8 @@ struct OverlayOptions {
   bool projection = false;  ///< the regions and what they are on their planes, with the centres
   bool box = false;         ///< the deformed vertices' box
   bool axes = false;
-  bool guides = false;   ///< the lines that a head is drawn by
-  bool regions = false;  ///< a face's regions, their pivots and limits
+  bool guides = false;             ///< the lines that a head is drawn by
+  bool regions = false;            ///< a face's regions, their pivots and limits
   WireMode wire = WireMode::none;  ///< drawn with the surface itself
 
   bool of_muscles() const { return muscles || arrows || projection; }
@@ -48,7 +48,8 @@ Result<Grid> parse_grid(std::string_view text);
 /// What the command line asks for; what it does not say is the scene's.
 struct FigureOptions {
   std::optional<OverlayOptions> overlay;
-  std::optional<std::string> compare;  ///< one of comparison_names(), or a scene or model that stands beside
+  std::optional<std::string>
+      compare;  ///< one of comparison_names() or view_names(), or a scene or model that stands beside
   std::optional<ComparisonPlace> compare_as;
   std::optional<std::string> zoom;  ///< joint or muscle that an inset shows near by; "none": no inset
   std::optional<MusclePlot> plot;
@@ -60,7 +61,8 @@ struct FigureOptions {
 struct FigureLook {
   OverlayOptions overlay;
   CompareWith compare = CompareWith::none;
-  std::string other;  ///< scene or model that stands beside; empty: none
+  std::string other;               ///< scene or model that stands beside; empty: none
+  std::optional<View> other_view;  ///< the same, seen from elsewhere, stands beside
   ComparisonPlace compare_as = ComparisonPlace::panels;
   std::string zoom;  ///< empty: no inset
   MusclePlot plot = MusclePlot::none;
@@ -68,7 +70,7 @@ struct FigureLook {
   std::vector<std::string> captions;  ///< of the sheet's first pictures
   int turntable = 0;
 
-  bool compares() const { return compare != CompareWith::none || !other.empty(); }
+  bool compares() const { return compare != CompareWith::none || !other.empty() || other_view; }
 };
 
 /// The options over the scene's look. A turntable is no sheet, whatever the scene says.

@@ -75,7 +75,8 @@ FrameMaker::FrameMaker(Renderer renderer, const Stage& stage, const LookOptions&
 
 Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const SceneOptions& scene,
                                       const LookOptions& look, std::vector<std::string>& problems) {
-  auto renderer = Renderer::create(device, {look.size.width, look.size.height, look.samples, look.wire});
+  auto renderer =
+      Renderer::create(device, {look.size.width, look.size.height, look.samples, look.wire, look.for_window});
   if (!renderer) return pass_on(std::move(renderer));
   const GpuDeformerOptions options{.deformer = scene.deformer, .bulge = scene.bulge};
   auto weights = shown_weights(stage, look);
@@ -118,7 +119,8 @@ CameraPlace FrameMaker::camera_place(int frame) const {
   ViewDirection towards = direction(camera.view);
   if (camera.elevation) towards.elevation = *camera.elevation;
   towards.azimuth += look_.orbit.value_or(camera.orbit.value_at(frame));
-  CameraPlace place{towards, {}, {}};
+  const Rays rays = camera.projection == Projection::orthographic ? Rays::parallel : Rays::from_eye;
+  CameraPlace place{towards, rays, {}, {}};
   if (camera.target) place.target = camera.target->value_at(frame);
   if (camera.distance) place.distance = camera.distance->value_at(frame);
   return place;
@@ -127,15 +129,20 @@ CameraPlace FrameMaker::camera_place(int frame) const {
 Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
   CameraPlace place = camera_place(frame);
   place.direction.azimuth += orbit;
-  const Viewpoint framed = frame_box(bounds_, place.direction, double(look_.size.width) / look_.size.height);
+  const Viewpoint framed =
+      frame_box(bounds_, place.direction, double(look_.size.width) / look_.size.height, place.rays);
   if (!place.target && !place.distance) return framed;
   return look_at(place.target.value_or(bounds_.centre()),
-                 place.distance.value_or(glm::length(framed.eye - bounds_.centre())), bounds_, place.direction);
+                 place.distance.value_or(glm::length(framed.eye - bounds_.centre())), bounds_, place.direction,
+                 place.rays);
 }
 
-Result<void> FrameMaker::draw_for_window(int frame, const std::vector<CharacterState>& states) {
+Result<void> FrameMaker::draw_for_window(int frame, const std::vector<CharacterState>& states,
+                                         const std::optional<PictureArea>& seen) {
   if (auto ok = upload(states); !ok) return ok;
-  return renderer_.draw_for_window(shot(frame));
+  Shot shown = shot(frame);
+  shown.seen = seen;
+  return renderer_.draw_for_window(shown);
 }
 
 Result<void> FrameMaker::resize(const PictureSize& size) {

@@ -17,10 +17,12 @@ struct LookOptions {
   std::optional<bool> shadows, floor;
   std::optional<Colour> background;
   WireMode wire = WireMode::none;
+  bool for_window = false;  ///< RendererOptions::for_window
 };
 
 struct CameraPlace {
   ViewDirection direction;
+  Rays rays = Rays::from_eye;
   std::optional<Vec3> target;
   std::optional<double> distance;
 };
@@ -50,7 +52,9 @@ class FrameMaker {
 
   // For windows.
   /// As picture(), into the renderer's own image. `states`: pose(frame).
-  Result<void> draw_for_window(int frame, const std::vector<CharacterState>& states);
+  /// `seen`: Shot::seen.
+  Result<void> draw_for_window(int frame, const std::vector<CharacterState>& states,
+                               const std::optional<PictureArea>& seen = {});
   Result<void> resize(const PictureSize& size);
   /// Takes the bounds anew after the stage's motions or poses have changed. Its meshes, muscles and materials, and
   /// which joint's weights are shown, must be those that the maker was created with.

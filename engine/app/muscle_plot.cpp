@@ -80,7 +80,9 @@ Plot MusclePlotMaker::along_limb(const CharacterState& state) const {
     const PlacedMuscle& placed = character.muscles[m];
     for (const BulgeMode mode : {BulgeMode::on, BulgeMode::paper}) {
       const bool paper = mode == BulgeMode::paper;
-      PlotCurve curve{paper ? "hard edge" : placed.muscle.name, {}, plot_colour(m), paper};
+      // One entry tells what dashes are.
+      const std::string name = paper ? (m == 0 ? "hard edge" : "") : placed.muscle.name;
+      PlotCurve curve{name, {}, plot_colour(m), paper};
       for (int i = 0; i < samples; ++i) {
         const double x = reach * (2.0 * i / (samples - 1) - 1.0);
         curve.points.emplace_back(millimetres * x,

@@ -16,6 +16,8 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t largest_scene_file = std::size_t{64} << 20;
+/// Kept for undoing and redoing.
+constexpr std::size_t most_spare_models = 6;
 
 /// An error, with the place in the scene file that asked for what went wrong; a bare model has no such place.
 class Place {
@@ -286,6 +288,18 @@ Result<void> complete(Stage& stage, const SceneOptions& options) {
   return {};
 }
 
+bool has_model_of(const StagedCharacter& known, const Character& character) {
+  return known.model && known.scene.model == character.model && known.scene.head == character.head &&
+         known.scene.landmarks == character.landmarks;
+}
+
+Result<void> make_model(StagedCharacter& character, const Scene& scene, const SceneOptions& options,
+                        const Place& place) {
+  if (auto ok = draw_head(character, scene.frames.value_or(FrameSpan{}).first, place); !ok) return ok;
+  if (auto ok = stage_model(character, options, std::nullopt); !ok) return place.at("/model", std::move(ok));
+  return {};
+}
+
 }  // namespace
 
 Result<Stage> open_stage(const SceneOptions& options) {
@@ -312,6 +326,20 @@ Result<Stage> open_stage(const SceneOptions& options) {
   return stage;
 }
 
+bool needs_model(const Stage& stage, const Character& character) {
+  const auto same = [&](const StagedCharacter& known) { return has_model_of(known, character); };
+  return std::ranges::none_of(stage.characters, same) && std::ranges::none_of(stage.spare, same);
+}
+
+Result<StagedCharacter> ready_character(const Scene& scene, std::size_t character, const SceneOptions& options,
+                                        const std::string& source) {
+  const Place place(source, false, character);
+  StagedCharacter ready;
+  ready.scene = scene.characters[character];
+  if (auto ok = make_model(ready, scene, options, place); !ok) return pass_on(std::move(ok));
+  return ready;
+}
+
 Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options) {
   Stage next;
   next.source = stage.source;
@@ -319,17 +347,18 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
   next.strength = options.strength;
   SceneOptions with_library = options;
   if (scene.library) with_library.library = *scene.library;
+  std::vector<StagedCharacter*> known;
+  for (std::vector<StagedCharacter>* list : {&stage.characters, &stage.spare})
+    for (StagedCharacter& character : *list) known.push_back(&character);
   // Each model serves once; it goes back where it came from if the new scene cannot be staged.
-  std::vector<int> taken_from;
-  std::vector<bool> taken(stage.characters.size(), false);
+  std::vector<StagedCharacter*> taken_from;
   const auto fail = [&](Error error) -> Result<void> {
     for (std::size_t i = 0; i < taken_from.size(); ++i)
-      if (taken_from[i] >= 0) {
-        StagedCharacter& home = stage.characters[static_cast<std::size_t>(taken_from[i])];
+      if (taken_from[i]) {
         StagedCharacter& lent = next.characters[i];
-        home.model = std::move(lent.model);
-        home.mesh = std::move(lent.mesh);
-        home.rest = std::move(lent.rest);
+        taken_from[i]->model = std::move(lent.model);
+        taken_from[i]->mesh = std::move(lent.mesh);
+        taken_from[i]->rest = std::move(lent.rest);
       }
     return tl::unexpected<Error>(std::move(error));
   };
@@ -337,38 +366,31 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
     const Place place(stage.source, false, next.characters.size());
     StagedCharacter& staged = next.characters.emplace_back();
     staged.scene = character;
-    std::size_t same = 0;
-    const auto is_other = [&](const StagedCharacter& old) {
-      return !old.model || old.scene.model != character.model || old.scene.head != character.head ||
-             old.scene.landmarks != character.landmarks;
-    };
-    while (same < stage.characters.size() && (taken[same] || is_other(stage.characters[same]))) ++same;
-    if (same < stage.characters.size()) {
-      StagedCharacter& old = stage.characters[same];
-      taken[same] = true;
-      taken_from.push_back(static_cast<int>(same));
-      staged.model = std::move(old.model);
-      staged.model_hash = old.model_hash;
-      staged.order = old.order;
-      staged.rest_rotations = old.rest_rotations;
-      staged.humanoid = old.humanoid;
-      staged.mesh = std::move(old.mesh);
-      staged.rest = std::move(old.rest);
-      staged.face.head = old.face.head;
-      staged.face.worn = old.face.worn;
-      staged.face.landmarks = old.face.landmarks;
-      staged.face.problems = old.face.problems;
+    const auto old = std::ranges::find_if(
+        known, [&](const StagedCharacter* candidate) { return has_model_of(*candidate, character); });
+    if (old != known.end()) {
+      taken_from.push_back(*old);
+      staged.model = std::move((*old)->model);
+      staged.model_hash = (*old)->model_hash;
+      staged.order = (*old)->order;
+      staged.rest_rotations = (*old)->rest_rotations;
+      staged.humanoid = (*old)->humanoid;
+      staged.mesh = std::move((*old)->mesh);
+      staged.rest = std::move((*old)->rest);
+      staged.face.head = (*old)->face.head;
+      staged.face.worn = (*old)->face.worn;
+      staged.face.landmarks = (*old)->face.landmarks;
+      staged.face.problems = (*old)->face.problems;
     } else {
-      taken_from.push_back(-1);
-      const double first = scene.frames.value_or(FrameSpan{}).first;
-      if (auto ok = draw_head(staged, first, place); !ok) return fail(ok.error());
-      if (auto ok = stage_model(staged, with_library, std::nullopt); !ok)
-        return fail(place.at("/model", std::move(ok)).value());
+      taken_from.push_back(nullptr);
+      if (auto ok = make_model(staged, scene, with_library, place); !ok) return fail(ok.error());
     }
     if (auto ok = prepare_use(staged, with_library, false, scene.fps, place, next.problems); !ok)
       return fail(ok.error());
   }
   if (auto ok = complete(next, options); !ok) return fail(ok.error());
+  for (StagedCharacter* left : known)
+    if (left->model && next.spare.size() < most_spare_models) next.spare.push_back(std::move(*left));
   stage = std::move(next);
   return {};
 }

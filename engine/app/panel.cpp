@@ -1,7 +1,8 @@
 #include "engine/app/panel.h"
 
 #include <algorithm>
-#include <set>
+
+#include "engine/app/overlay_content.h"
 
 namespace sinew {
 namespace {
@@ -12,27 +13,6 @@ constexpr double inset_share = 0.36, paired_inset_share = 0.44;
 Vec3 zoom_position(const Stage& stage, const ZoomTarget& zoom, int frame) {
   const CharacterState state = character_state(stage, zoom.character, frame);
   return Vec3(character_placement(stage, zoom.character, frame) * state.global[zoom.node] * zoom.place);
-}
-
-/// World transforms of all nodes at a frame.
-std::vector<Mat4> world_transforms(const Stage& stage, std::size_t character, int frame, const CharacterState& state) {
-  const Mat4 placement = character_placement(stage, character, frame);
-  std::vector<Mat4> world;
-  for (const Mat4& global : state.global) world.push_back(placement * global);
-  return world;
-}
-
-SkeletonOverlay skeleton_overlay(const StagedCharacter& character, std::vector<Mat4> world, bool named) {
-  SkeletonOverlay overlay;
-  overlay.global = std::move(world);
-  std::set<int> joints;
-  for (const Skin& skin : character.model->skins) joints.insert(skin.joints.begin(), skin.joints.end());
-  for (std::size_t i = 0; i < character.model->nodes.size(); ++i) {
-    overlay.parents.push_back(character.model->nodes[i].parent);
-    overlay.joints.push_back(joints.contains(static_cast<int>(i)));
-    if (named) overlay.names.push_back(character.model->nodes[i].name);
-  }
-  return overlay;
 }
 
 /// The box of the skin that follows a joint, in the rest pose.
@@ -114,38 +94,7 @@ Result<PanelMaker> PanelMaker::create(Device& device, const Stage& stage, const 
   return panel;
 }
 
-OverlayContent PanelMaker::content(int frame) const {
-  OverlayContent content;
-  content.axes = figure_.overlay.axes;
-  Bounds box;
-  for (std::size_t i = 0; i < stage_->characters.size(); ++i) {
-    const StagedCharacter& character = stage_->characters[i];
-    const CharacterState state = character_state(*stage_, i, frame);
-    const std::vector<Mat4> world = world_transforms(*stage_, i, frame, state);
-    if (figure_.overlay.skeleton || figure_.overlay.bones)
-      content.skeletons.push_back(skeleton_overlay(character, world, figure_.overlay.skeleton));
-    const bool of_face = figure_.overlay.of_faces() && character.mesh.face;
-    if (!figure_.overlay.of_muscles() && !figure_.overlay.box && !of_face) continue;
-    const DeformedVertices deformed = deform_on_cpu(character, state, scene_.deformer, scene_.bulge);
-    for (const Vec3& p : deformed.positions) box.add(p);
-    if (of_face)
-      content.faces.push_back(posed_face(character.mesh, deformed.positions, deformed.blend, figure_.overlay.guides,
-                                         figure_.overlay.regions));
-    if (!figure_.overlay.of_muscles()) continue;
-    for (std::size_t m = 0; m < character.muscles.size(); ++m) {
-      const PlacedMuscle& placed = character.muscles[m];
-      const Mat4 rest_to_world = world[placed.muscle.bone] * glm::inverse(character.rest.global[placed.muscle.bone]);
-      content.muscles.push_back(posed_muscle(placed.muscle, placed.region, rest_to_world, deformed.positions,
-                                             deformed.normals, state.activations[m]));
-      MuscleOverlay& shown = content.muscles.back();
-      shown.gaussian = figure_.overlay.muscles;
-      shown.arrows = figure_.overlay.arrows;
-      shown.projection = figure_.overlay.projection;
-    }
-  }
-  if (figure_.overlay.box && !box.empty()) content.box = box;
-  return content;
-}
+OverlayContent PanelMaker::content(int frame) const { return overlay_content(*stage_, scene_, figure_.overlay, frame); }
 
 Result<Picture> PanelMaker::near_picture(int frame, double orbit, const Font* font) {
   Shot shot = near_->shot(frame, orbit);
@@ -156,6 +105,10 @@ Result<Picture> PanelMaker::near_picture(int frame, double orbit, const Font* fo
   // Whatever stands between the camera and the joint, or behind it, is seen as in the whole picture.
   shot.viewpoint.near_plane = 0.02 * distance;
   shot.viewpoint.far_plane += glm::length(moved) + distance;
+  if (shot.viewpoint.is_parallel()) {
+    shot.viewpoint.parallel_height = 2.0 * zoom_.reach;
+    shot.viewpoint.near_plane = -shot.viewpoint.far_plane;
+  }
   auto picture = near_->picture(frame, shot);
   if (picture && figure_.overlay.painted())
     if (auto ok = draw_overlay(*picture, font, shot.viewpoint, content(frame)); !ok) return pass_on(std::move(ok));

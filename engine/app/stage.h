@@ -58,6 +58,7 @@ struct Stage {
   std::string source;      ///< what was opened, for messages: a file, or "the embedded scene"
   std::string scene_hash;  ///< of what is shown: scene, models, clip, pose, fps, strength; no paths, no frames
   std::vector<std::string> problems;  ///< of all models, each with its file
+  std::vector<StagedCharacter> spare;  ///< models that no character of the scene uses now, the latest first
 
   std::size_t vertices() const;
   std::size_t triangles() const;
@@ -66,9 +67,17 @@ struct Stage {
 /// Opens a scene file, a bare model or the embedded default. Fails as bad_input; nothing is left half open.
 Result<Stage> open_stage(const SceneOptions& options);
 
-/// Puts another scene on the stage: models that it has already are not read again. `options` as in open_stage(), but
-/// not its scene. Fails as open_stage() does and then leaves the stage as it was.
+/// Puts another scene on the stage: models that it has already, some spare ones among them, are not read or drawn again.
+/// `options` as in open_stage(), but not its scene. Fails as open_stage() does and then leaves the stage as it was.
 Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options);
+
+/// True where restage() would have to read or draw this character's model.
+bool needs_model(const Stage& stage, const Character& character);
+
+/// The model of a scene's character as restage() would make it, to be put among the stage's spare ones: for whoever
+/// cannot wait for it there. `source`: the scene's, for messages. Fails as open_stage() does.
+Result<StagedCharacter> ready_character(const Scene& scene, std::size_t character, const SceneOptions& options,
+                                        const std::string& source);
 
 /// The stage's scene with everything spelled out that a bare model has by default: what it shows as a scene file does.
 /// Fails as bad_input where a muscle's joint has no name.

@@ -37,6 +37,10 @@ std::optional<FaceState> face_state_at(const StagedFace& face, const CharacterMe
   return face_state(rig, hold_at_limits(rig, channels_at(face.track, rig, frame)).channels);
 }
 
+FaceRig face_sizes_at(const StagedFace& face, const CharacterMesh& mesh, double frame) {
+  return face.head && face.head->changes() ? face.head->sizes(frame) : face_sizes(mesh.face->rig);
+}
+
 std::vector<HeldKey> held_over(const StagedFace& face, const CharacterMesh& mesh, int first, int last) {
   constexpr int most_samples = 512;
   std::vector<HeldKey> out;
@@ -44,7 +48,7 @@ std::vector<HeldKey> held_over(const StagedFace& face, const CharacterMesh& mesh
   const int samples = std::clamp(last - first, 1, most_samples);
   for (int i = 0; i <= samples; ++i) {
     const int frame = first + static_cast<int>(std::round(double(last - first) * i / samples));
-    const FaceRig rig = face.head && face.head->changes() ? face.head->sizes(frame) : face_sizes(mesh.face->rig);
+    const FaceRig rig = face_sizes_at(face, mesh, frame);
     for (const HeldChannel& held : hold_at_limits(rig, channels_at(face.track, rig, frame)).held) {
       const auto known = std::ranges::find(out, held.channel, [](const HeldKey& key) { return key.held.channel; });
       const auto excess = [](const HeldChannel& h) { return std::abs(h.asked - h.held); };

@@ -42,6 +42,9 @@ std::string without_regions(const Model& model, const CharacterMesh& mesh);
 /// The regions' state at a frame, held at their limits; `mesh` is the frame's. Nothing where it has no regions.
 std::optional<FaceState> face_state_at(const StagedFace& face, const CharacterMesh& mesh, double frame);
 
+/// The face at a frame without its vertices: what limits and amounts go by. The mesh has regions.
+FaceRig face_sizes_at(const StagedFace& face, const CharacterMesh& mesh, double frame);
+
 /// What is held at limits from `first` to `last`, each channel where it asks the most; long ranges are sampled.
 std::vector<HeldKey> held_over(const StagedFace& face, const CharacterMesh& mesh, int first, int last);
 

@@ -1,13 +1,23 @@
 #include "engine/core/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
 
 namespace sinew {
 namespace {
 
 volatile std::sig_atomic_t caught = 0;
+volatile std::sig_atomic_t at_once = 0;  ///< how many EndAtOnce live
 
-void on_signal(int signal) { caught = signal; }
+void on_signal(int signal) {
+  caught = signal;
+  if (at_once == 0) return;
+  constexpr std::string_view message = "error: stopped by a signal\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+  ::_exit(128 + signal);
+}
 
 }  // namespace
 
@@ -22,6 +32,10 @@ void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
 }
+
+EndAtOnce::EndAtOnce() { at_once = at_once + 1; }
+
+EndAtOnce::~EndAtOnce() { at_once = at_once - 1; }
 
 Result<void> check_interrupt() {
   if (caught == SIGINT) return failure(ErrorKind::interrupted, "interrupted");

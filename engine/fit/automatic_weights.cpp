@@ -42,6 +42,24 @@ class Kinship {
   const Skin& skin_;
 };
 
+/// Leaves the `most` largest, each less what the largest of the others has, or `least` where that is more: as two
+/// joints change places in the order both are at 0, so that the weights of neighbours differ no more than they did.
+void keep_largest(std::vector<Influence>& weights, std::size_t most, double least) {
+  std::sort(weights.begin(), weights.end(), [](const Influence& a, const Influence& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+  });
+  double sum = 0.0;
+  for (const Influence& influence : weights) sum += influence.weight;
+  double cut = least * sum;
+  if (weights.size() > most) {
+    cut = std::max(cut, weights[most].weight);
+    weights.resize(most);
+  }
+  // Nothing would be left of equal weights; they are too many for any choice among them to be smooth.
+  if (!weights.empty() && cut > 0.999 * weights.front().weight) return;
+  for (Influence& influence : weights) influence.weight = std::max(influence.weight - cut, 0.0);
+}
+
 /// Joints that shall move nothing: those that were named and, in a humanoid, those that do not hang from the hips,
 /// which are handles of the rig.
 Result<std::set<std::uint32_t>> left_out_joints(const Model& model, const std::vector<std::string>& names) {
@@ -63,14 +81,18 @@ Result<std::set<std::uint32_t>> left_out_joints(const Model& model, const std::v
   return out;
 }
 
-Result<Nearest> find_nearest(const SkinnedShape& shape, const VoxelSolid& solid,
+Result<Nearest> find_nearest(const std::string& file, const SkinnedShape& shape, const VoxelSolid& solid,
                              const std::vector<BoneSegment>& segments) {
   const auto reached = nearest_bones(solid, segments);
   if (!reached) return tl::unexpected<Error>(reached.error());
   Nearest nearest;
   for (const Vec3& p : shape.positions) {
     const auto number = static_cast<std::size_t>((*reached)[solid.cell(p)]);
-    if (number >= segments.size()) return bad_input("no bone reaches the vertex at {}, {}, {}", p.x, p.y, p.z);
+    if (number >= segments.size())
+      return bad_input(
+          "{}: no bone reaches the vertex at {:.4g}, {:.4g}, {:.4g}; mesh and skeleton should have one place "
+          "and size",
+          file, p.x, p.y, p.z);
     const BoneSegment& segment = segments[number];
     nearest.joint.push_back(segment.joint);
     nearest.distance.push_back(std::max(glm::length(p - segment.nearest(p)), 0.5 * solid.size));
@@ -134,6 +156,8 @@ bool any_lies_near(const std::vector<BoneSegment>& segments, const SkinnedShape&
 Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions& options, Model& model) {
   const auto start = std::chrono::steady_clock::now();
   const SkinnedShape shape = skinned_shapes(model).front();
+  if (shape.triangles.empty())
+    return bad_input("{}: has vertices and no triangles; weights spread over a surface", model.file);
   const Skin& skin = model.skins[0];
   const auto left_out = left_out_joints(model, options.left_out);
   if (!left_out) return tl::unexpected<Error>(left_out.error());
@@ -142,7 +166,7 @@ Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions
   std::erase_if(segments, [&](const BoneSegment& segment) { return left_out->contains(segment.joint); });
   if (segments.empty() || !any_lies_near(segments, shape))
     return bad_input("{}: no joint of the skeleton lies in it; expected both in the same place and size", model.file);
-  const auto nearest = find_nearest(shape, solid, segments);
+  const auto nearest = find_nearest(model.file, shape, solid, segments);
   if (!nearest) return tl::unexpected<Error>(nearest.error());
 
   HeatJob heat{shape.positions, shape.triangles, nearest->joint, nearest->distance,
@@ -155,6 +179,7 @@ Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions
   Influences influences;
   for (std::vector<Influence>& weights : *spread) {
     part_limbs(kinship, weights);
+    keep_largest(weights, options.influences, options.prune);
     influences.add_vertex(weight_run(std::move(weights), options.influences, options.prune));
   }
 

@@ -27,7 +27,8 @@ class Alternation {
   Alternation(const RigidBonesJob& job, const MovingMesh& mesh, BonePoses bones)
       : job_(job), mesh_(mesh), bones(std::move(bones)), supports(mesh.vertices()) {}
 
-  Result<void> fit_weights() {
+  /// `anew`: with the bones chosen among all, else from the choice of the round before on.
+  Result<void> fit_weights(bool anew) {
     constexpr std::size_t block = 4096;
     tbb::enumerable_thread_specific<VertexFit> fits([&] { return VertexFit(bones); });
     for (std::size_t begin = 0; begin < mesh_.vertices(); begin += block) {
@@ -38,7 +39,7 @@ class Alternation {
             const std::size_t v = begin + i;
             VertexFit& fit = fits.local();
             fit.begin(mesh_.rest[v], mesh_.posed.subspan(v * mesh_.poses, mesh_.poses));
-            supports[v] = fit.convex(job_.influences);
+            supports[v] = anew ? fit.convex(job_.influences) : fit.convex_from(supports[v], job_.influences);
           },
           32);
     }
@@ -126,13 +127,17 @@ Result<RigidBones> RigidBonesJob::run() const {
   Alternation turn(*this, mesh, std::move(*start));
   RigidBones out;
   double before = INFINITY;
+  bool anew = true;
   while (true) {
-    if (auto ok = turn.fit_weights(); !ok) return pass_on(std::move(ok));
+    // The first choice, one after bones were restarted, and the last are made among all bones.
+    anew = anew || out.rounds + 1 >= rounds;
+    if (auto ok = turn.fit_weights(anew); !ok) return pass_on(std::move(ok));
     advance();
     const double now = turn.squared_error();
     const bool restarted = out.rounds + 1 < rounds && turn.restart_idle();
     const bool settled = !restarted && before - now <= worth_a_round * before && std::isfinite(before);
-    if (++out.rounds >= rounds || settled) break;
+    if (++out.rounds >= rounds || (settled && anew)) break;
+    anew = restarted || settled;
     before = restarted ? INFINITY : now;
     turn.fit_transforms();
   }

@@ -27,7 +27,7 @@ struct RigidBonesJob {
   std::size_t poses = 0;
   std::size_t count = 20;                 ///< bones
   std::size_t influences = 4;             ///< at most so many bones a vertex
-  std::size_t rounds = 30;                ///< at most; fewer where a round gains less than 0.1 %
+  std::size_t rounds = 30;                ///< at most; fewer where a round gains less than 0.2 %
   std::function<void()> advance = [] {};  ///< called at most `rounds` + 1 times
 
   /// Fails as bad_input where a span is short, a number is not finite, or there are no two poses, counting the rest;

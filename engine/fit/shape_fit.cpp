@@ -15,8 +15,13 @@ std::string mesh_name(const Model& model, const ShapePart& part) {
   return name.empty() ? fmt::format("meshes/{}", part.mesh) : name;
 }
 
-void add_reasons(const Model& model, const SkinnedShape& shape, const BonePoses& bones, const SkinFitReport& fit,
+void add_reasons(const Model& model, const SkinnedShape& shape, const SkinFitJob& job, const SkinFitReport& fit,
                  FitReport& report) {
+  const BonePoses& bones = job.bones;
+  if (bones.poses < job.influences)
+    report.reasons.push_back(
+        fmt::format("{} pose{} leave{} much open: weights of {} influences that fit them may be wrong in others",
+                    bones.poses, bones.poses == 1 ? "" : "s", bones.poses == 1 ? "s" : "", job.influences));
   const std::vector<int>& joints = model.skins[shape.skin].joints;
   Bounds bounds;
   for (const Vec3& p : shape.positions) bounds.add(p);
@@ -82,7 +87,7 @@ Result<Influences> fit_shape(const Model& model, const SkinnedShape& shape, cons
   if (!influences) return influences;
   report.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report_errors(model, shape, skinned_places(shape.positions, *influences, bones), wanted, fit.shell, report);
-  add_reasons(model, shape, bones, fit, report);
+  add_reasons(model, shape, job, fit, report);
   report.max_influences = std::max(report.max_influences, most_influences(*influences));
   report.noise = std::max(report.noise, fit.noise);
   report.negative += fit.negative;

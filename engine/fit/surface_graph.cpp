@@ -64,8 +64,7 @@ SurfaceGraph surface_graph(std::span<const Vec3> positions, std::span<const std:
   };
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     for (std::size_t c = 0; c < 3; ++c) join(triangles[i + c], triangles[i + (c + 1) % 3]);
-  const std::vector<std::uint32_t> by_place =
-      over_seams ? sorted_by_place(positions) : std::vector<std::uint32_t>{};
+  const std::vector<std::uint32_t> by_place = over_seams ? sorted_by_place(positions) : std::vector<std::uint32_t>{};
   for (std::size_t i = 1; i < by_place.size(); ++i)
     if (positions[by_place[i]] == positions[by_place[i - 1]]) join(by_place[i - 1], by_place[i]);
   std::sort(edges.begin(), edges.end());

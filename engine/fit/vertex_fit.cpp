@@ -144,8 +144,13 @@ Support VertexFit::best_over_all() {
   }
   support.add(first, 1.0);
   support.error = lone_errors_[first];
+  grow(support, Support::most);
+  return support;
+}
+
+void VertexFit::grow(Support& support, std::size_t most) {
   std::fill(tried_.begin(), tried_.end(), 0);
-  for (std::size_t round = 0; round < 8 * Support::most && support.size < Support::most; ++round) {
+  for (std::size_t round = 0; round < 8 * most && support.size < most; ++round) {
     double slope = 0.0;
     const std::uint32_t next = steepest(support, slope);
     if (slope == 0.0) break;
@@ -158,7 +163,6 @@ Support VertexFit::best_over_all() {
     support = grown;
     std::fill(tried_.begin(), tried_.end(), 0);
   }
-  return support;
 }
 
 void VertexFit::exchange(Support& support) {
@@ -206,6 +210,13 @@ Support VertexFit::convex(std::size_t influences) {
   }
   exchange(support);
   return support;
+}
+
+Support VertexFit::convex_from(Support start, std::size_t influences) {
+  settle(start);
+  grow(start, influences);
+  exchange(start);
+  return start;
 }
 
 Support VertexFit::paper(std::size_t influences) {

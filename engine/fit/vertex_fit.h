@@ -49,6 +49,10 @@ class VertexFit {
   /// bones are exchanged while that helps.
   Support convex(std::size_t influences);
 
+  /// The same from the bones and weights of an earlier fit on, to bones that have moved a little: bones are added where
+  /// there are fewer than `influences`, and exchanged. Faster; may stay at a choice that convex() would better.
+  Support convex_from(Support start, std::size_t influences);
+
   /// The paper's: the bones of the smallest lone errors, least squares with sum w = 1 by SVD, the solution nearest to
   /// equal weights where there are many. Weights may be negative.
   Support paper(std::size_t influences);
@@ -70,6 +74,8 @@ class VertexFit {
   Support without(const Support& support, std::size_t i);
   std::uint32_t steepest(const Support& support, double& slope);
   Support best_over_all();
+  /// Adds bones, the steepest first, as long as the error falls and there are fewer than `most`.
+  void grow(Support& support, std::size_t most);
   void exchange(Support& support);
 
   const BonePoses& poses_;

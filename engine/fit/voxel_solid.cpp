@@ -67,8 +67,11 @@ VoxelSolid voxel_solid(std::span<const Vec3> positions, std::span<const std::uin
   const Vec3 extent = bounds.high - bounds.low;
   VoxelSolid solid;
   solid.size = std::max({extent.x, extent.y, extent.z, 1e-30}) / resolution;
-  solid.origin = bounds.low - margin * solid.size;
-  for (int i = 0; i < 3; ++i) solid.count[i] = static_cast<int>(std::ceil(extent[i] / solid.size)) + 1 + 2 * margin;
+  // The mesh stands in the middle of an odd number of voxels, so that both halves of a symmetric one are cut alike.
+  for (int i = 0; i < 3; ++i) {
+    solid.count[i] = (static_cast<int>(std::ceil(extent[i] / solid.size)) + 1 + 2 * margin) | 1;
+    solid.origin[i] = bounds.centre()[i] - 0.5 * solid.count[i] * solid.size;
+  }
   solid.cells.resize(static_cast<std::size_t>(solid.count[0]) * solid.count[1] * solid.count[2], Voxel::air);
   for (const Vec3& p : positions) solid.cells[solid.cell(p)] = Voxel::surface;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)

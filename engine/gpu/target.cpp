@@ -46,10 +46,11 @@ vk::ImageCreateInfo image_info(const Target& target, vk::Format format, vk::Samp
 }
 
 void begin_rendering(const Target& target, const vk::raii::CommandBuffer& commands,
-                     const vk::RenderingAttachmentInfo& colour, const vk::RenderingAttachmentInfo& depth) {
-  const vk::Rect2D area({0, 0}, {target.width, target.height});
+                     const vk::RenderingAttachmentInfo& colour, const vk::RenderingAttachmentInfo& depth,
+                     const vk::Rect2D& area) {
   commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour, &depth));
   cover(commands, target.width, target.height);
+  commands.setScissor(0, area);
 }
 
 }  // namespace
@@ -107,16 +108,18 @@ void make_colour_copyable(const vk::raii::CommandBuffer& commands, const DeviceI
   commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
 }
 
-Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk::SampleCountFlagBits samples) {
+Target Target::create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk::SampleCountFlagBits samples,
+                      vk::Format colour_format) {
   using Usage = vk::ImageUsageFlagBits;
   Target target;
   target.width = width;
   target.height = height;
   target.samples = samples;
+  target.colour_format = colour_format;
   constexpr auto one = vk::SampleCountFlagBits::e1;
-  target.colour =
-      vulkan.create_image(image_info(target, colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc),
-                          vk::ImageAspectFlagBits::eColor);
+  target.colour = vulkan.create_image(
+      image_info(target, colour_format, one, Usage::eColorAttachment | Usage::eTransferSrc | Usage::eTransferDst),
+      vk::ImageAspectFlagBits::eColor);
   target.depth = target.create_depth(vulkan);
   if (samples != one)
     target.multisampled = vulkan.create_image(image_info(target, colour_format, samples, Usage::eColorAttachment),
@@ -145,7 +148,8 @@ vk::RenderingAttachmentInfo Target::colour_attachment(vk::AttachmentLoadOp load,
   return info;
 }
 
-void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last) const {
+void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last,
+                   const vk::Rect2D& area) const {
   std::vector<vk::ImageMemoryBarrier2> barriers{colour_to_attachment(colour, Stage::eCopy | Stage::eBlit),
                                                 depth_to_attachment(depth)};
   if (*multisampled.image) barriers.push_back(colour_to_attachment(multisampled, Stage::eColorAttachmentOutput));
@@ -157,7 +161,7 @@ void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<flo
   depth_info.loadOp = vk::AttachmentLoadOp::eClear;
   depth_info.storeOp = last ? vk::AttachmentStoreOp::eDontCare : vk::AttachmentStoreOp::eStore;
   depth_info.clearValue = vk::ClearDepthStencilValue(1.0f, 0);
-  begin_rendering(*this, commands, colour_info, depth_info);
+  begin_rendering(*this, commands, colour_info, depth_info, area);
 }
 
 void Target::resume(const vk::raii::CommandBuffer& commands, const DeviceImage& tested_depth, bool last) const {
@@ -169,7 +173,7 @@ void Target::resume(const vk::raii::CommandBuffer& commands, const DeviceImage& 
   vk::RenderingAttachmentInfo depth_info(*tested_depth.view, Layout::eDepthReadOnlyOptimal);
   depth_info.loadOp = vk::AttachmentLoadOp::eLoad;
   depth_info.storeOp = vk::AttachmentStoreOp::eNone;
-  begin_rendering(*this, commands, colour_info, depth_info);
+  begin_rendering(*this, commands, colour_info, depth_info, vk::Rect2D({0, 0}, {width, height}));
 }
 
 void Target::end(const vk::raii::CommandBuffer& commands) const { commands.endRendering(); }

@@ -9,21 +9,24 @@ namespace sinew {
 struct Target {
   uint32_t width = 0, height = 0;
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
-  DeviceImage colour;        ///< one sample, R8G8B8A8 holding sRGB numbers
-  DeviceImage multisampled;  ///< the image that is drawn to where samples > 1
+  vk::Format colour_format = vk::Format::eR8G8B8A8Unorm;  ///< or eB8G8R8A8Unorm, as windows have it
+  DeviceImage colour;                                     ///< one sample, holding sRGB numbers
+  DeviceImage multisampled;                               ///< the image that is drawn to where samples > 1
   DeviceImage depth;
-  Buffer readback;  ///< [height * width * 4] rows from the top
+  Buffer readback;  ///< [height * width * 4] rows from the top, channels in the format's order
 
-  static constexpr vk::Format colour_format = vk::Format::eR8G8B8A8Unorm;
   static constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
 
-  static Target create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk::SampleCountFlagBits samples);
+  static Target create(VulkanDevice& vulkan, uint32_t width, uint32_t height, vk::SampleCountFlagBits samples,
+                       vk::Format colour_format);
 
   /// A further depth image of the same size and samples, which shaders can read.
   DeviceImage create_depth(VulkanDevice& vulkan) const;
 
-  /// Clears, and begins drawing. `background`: sRGB and alpha, 0 to 1. `last`: no resume() follows.
-  void begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last) const;
+  /// Clears an area, and begins drawing in it; the rest is undefined. `background`: sRGB and alpha, 0 to 1. `last`: no
+  /// resume() follows.
+  void begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last,
+             const vk::Rect2D& area) const;
   /// Goes on drawing over what is there, tested against a depth image in the layout eDepthReadOnlyOptimal that is not
   /// written. `last`: no further resume() follows; several samples are resolved.
   void resume(const vk::raii::CommandBuffer& commands, const DeviceImage& tested_depth, bool last) const;

@@ -1,5 +1,8 @@
 #include "engine/gpu/vulkan.h"
 
+#include <sys/mman.h>
+
+#include <cstdint>
 #include <cstring>
 #include <initializer_list>
 
@@ -32,6 +35,17 @@ uint32_t memory_type(const VulkanDevice& vulkan, uint32_t allowed, MemoryUse use
   throw vk::OutOfDeviceMemoryError("unknown memory use");
 }
 
+/// On a CPU a picture's lines are pages apart, and shaders that read across lines wait for the page table.
+void use_large_pages(const vk::raii::DeviceMemory& memory, vk::DeviceSize size) {
+  constexpr std::uintptr_t page = std::uintptr_t{2} << 20;
+  if (size < page) return;
+  const auto begin = reinterpret_cast<std::uintptr_t>(memory.mapMemory(0, VK_WHOLE_SIZE));
+  const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + size) / page * page;
+  // Advice only: where it is not taken all works as before.
+  if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  memory.unmapMemory();
+}
+
 }  // namespace
 
 Buffer VulkanDevice::create_buffer(vk::DeviceSize size, vk::BufferUsageFlags usage, MemoryUse use) {
@@ -56,6 +70,9 @@ DeviceImage VulkanDevice::create_image(const vk::ImageCreateInfo& info, vk::Imag
   const uint32_t type = memory_type(*this, needs.memoryTypeBits, MemoryUse::device);
   result.memory = vk::raii::DeviceMemory(device, vk::MemoryAllocateInfo(needs.size, type));
   result.image.bindMemory(*result.memory, 0);
+  const auto properties = physical.getMemoryProperties().memoryTypes[type].propertyFlags;
+  if (this->info.cpu && (properties & vk::MemoryPropertyFlagBits::eHostVisible))
+    use_large_pages(result.memory, needs.size);
   const vk::ImageSubresourceRange whole(aspect, 0, info.mipLevels, 0, 1);
   result.view = vk::raii::ImageView(
       device, vk::ImageViewCreateInfo({}, *result.image, vk::ImageViewType::e2D, info.format, {}, whole));

@@ -33,10 +33,12 @@ FrameSpan read_frames(const JsonValue& value) {
 }
 
 Camera read_camera(const JsonValue& value) {
-  static const std::vector<std::string> known{"view", "orbit", "elevation", "target", "distance"};
+  static const std::vector<std::string> known{"view", "projection", "orbit", "elevation", "target", "distance"};
   Camera camera;
   if (!value.expect_object(known)) return camera;
   if (const auto view = value.find("view")) camera.view = static_cast<View>(view->word(view_names()));
+  if (const auto projection = value.find("projection"))
+    camera.projection = static_cast<Projection>(projection->word(projection_names()));
   if (const auto orbit = value.find("orbit")) camera.orbit = read_keyed_number(*orbit);
   if (const auto elevation = value.find("elevation")) camera.elevation = elevation->number({-90.0, 90.0});
   if (const auto target = value.find("target")) camera.target = read_keyed_vec3(*target);

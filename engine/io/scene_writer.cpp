@@ -84,6 +84,7 @@ ordered_json character_to_json(const Character& character, const fs::path& folde
 
 ordered_json camera_to_json(const Camera& camera) {
   ordered_json object{{"view", word(camera.view, view_names())}};
+  if (camera.projection != Camera{}.projection) object["projection"] = word(camera.projection, projection_names());
   if (camera.orbit != Camera{}.orbit) object["orbit"] = keyed_to_json(camera.orbit);
   if (camera.elevation) object["elevation"] = *camera.elevation;
   if (camera.target) object["target"] = keyed_to_json(*camera.target);

@@ -157,8 +157,11 @@ struct Character {
   bool operator==(const Character&) const = default;
 };
 
+enum class Projection { perspective, orthographic };
+
 struct Camera {
   View view = View::front;
+  Projection projection = Projection::perspective;  ///< orthographic: as high as perspective at the target's distance
   Keyed<double> orbit = Keyed<double>::constant(0);  ///< degrees, counter-clockwise seen from above
   std::optional<Keyed<Vec3>> target;                 ///< absent: the centre of what the scene shows
   std::optional<Keyed<double>> distance;             ///< from the target, > 0; absent: far enough to see everything

@@ -37,6 +37,11 @@ std::span<const std::string> view_names() {
   return names;
 }
 
+std::span<const std::string> projection_names() {
+  static const std::array<std::string, 2> names{"perspective", "orthographic"};
+  return names;
+}
+
 std::span<const std::string> shading_names() {
   static const std::array<std::string, 7> names{"lit", "flat", "clay", "normals", "weights", "bulge", "depth"};
   return names;

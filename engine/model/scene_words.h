@@ -15,6 +15,7 @@ std::span<const std::string> side_names();
 std::span<const std::string> muscle_preset_names();
 std::span<const std::string> expression_names();  ///< also the tags that a motion may carry
 std::span<const std::string> view_names();
+std::span<const std::string> projection_names();
 std::span<const std::string> shading_names();
 std::span<const std::string> key_blend_names();
 std::span<const std::string> overlay_names();

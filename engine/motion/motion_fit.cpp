@@ -14,7 +14,10 @@ double root_tolerance(const MotionSkeleton& skeleton, double degrees) {
   return 0.25 * skeleton_size(skeleton) * degrees * degrees_to_radians;
 }
 
-MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const KeptCurves* kept) {
+namespace {
+
+Result<MotionFit> fitted(const Motion& motion, const CurveFitOptions& options, const KeptCurves* kept,
+                         TaskWatch& watch) {
   const auto begun = std::chrono::steady_clock::now();
   const MotionSamples samples = motion_samples(motion);
   const std::size_t joints = samples.joints.size();
@@ -24,9 +27,11 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const
   fit.clip.frame_time = motion.frame_time;
   fit.clip.joints.resize(joints);
   fit.curves.resize(3 * joints);
+  watch.begin(joints);
   parallel_for(
       joints,
       [&](std::size_t j) {
+        if (watch.is_cancelled()) return;
         JointCurves& curves = fit.clip.joints[j];
         curves.order = samples.joints[j].order;
         assert(!kept || !kept->joints[j] || kept->curves.joints[j].order == curves.order);
@@ -40,8 +45,10 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const
               j, axis, one.curve.segments(), one.curve.degree(), one.rms_error, one.largest_error};
           curves.angles[axis] = std::move(one.curve);
         }
+        watch.advance();
       },
       1);
+  if (auto ok = watch.check(); !ok) return pass_on(std::move(ok));
   CurveFitOptions lengths = options;
   if (options.tolerance) lengths.tolerance = root_tolerance(motion.skeleton, *options.tolerance);
   lengths.resolution = root_tolerance(motion.skeleton, options.resolution);
@@ -55,6 +62,17 @@ MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const
   fit.sampled_numbers = samples.times.size() * 3 * (joints + 1);
   fit.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
   return fit;
+}
+
+}  // namespace
+
+MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const KeptCurves* kept) {
+  TaskWatch watch;
+  return *fitted(motion, options, kept, watch);
+}
+
+Result<MotionFit> fit_motion(const Motion& motion, const CurveFitOptions& options, TaskWatch& watch) {
+  return fitted(motion, options, nullptr, watch);
 }
 
 Result<void> check_motion_fit_options(const MotionFitOptions& options) {

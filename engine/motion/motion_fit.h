@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/task_watch.h"
 #include "engine/motion/curve_clip.h"
 #include "engine/motion/curve_fit.h"
 
@@ -44,6 +45,9 @@ struct KeptCurves {
 
 /// Fits all curves, but for those that are `kept`, on all cores.
 MotionFit fit_motion(const Motion& motion, const CurveFitOptions& options, const KeptCurves* kept = nullptr);
+
+/// The same, counted by joints. Fails as interrupted where it was cancelled.
+Result<MotionFit> fit_motion(const Motion& motion, const CurveFitOptions& options, TaskWatch& watch);
 
 /// Fails as usage with the option's name where one is out of its range.
 Result<void> check_motion_fit_options(const MotionFitOptions& options);

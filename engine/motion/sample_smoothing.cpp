@@ -103,4 +103,22 @@ SmoothedSamples smooth_samples(std::span<const double> samples, double resolutio
   return best;
 }
 
+std::vector<std::size_t> find_jumps(std::span<const double> samples, double resolution) {
+  constexpr std::size_t reach = 6, fewest = 3;
+  constexpr double times = 10.0;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) steps.push_back(std::abs(samples[i + 1] - samples[i]));
+  std::vector<std::size_t> jumps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::vector<double> others;
+    for (std::size_t j = i > reach ? i - reach : 0; j < std::min(i + reach + 1, steps.size()); ++j)
+      if (j != i) others.push_back(steps[j]);
+    if (others.size() < fewest) continue;
+    const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+    std::nth_element(others.begin(), middle, others.end());
+    if (steps[i] > times * (*middle + resolution)) jumps.push_back(i);
+  }
+  return jumps;
+}
+
 }  // namespace sinew

@@ -21,4 +21,9 @@ struct SmoothedSamples {
 /// `resolution` are never worth a parameter. Rows under 8 samples stay as they are.
 SmoothedSamples smooth_samples(std::span<const double> samples, double resolution);
 
+/// Samples i after which a row jumps: the step to i + 1 is over ten times as large as the median of the steps up to six
+/// samples round it, and as `resolution`. No noise and no fast turn does that: a capture that begins in a pose of its
+/// own does, or a cut.
+std::vector<std::size_t> find_jumps(std::span<const double> samples, double resolution);
+
 }  // namespace sinew

@@ -14,11 +14,30 @@ namespace {
 /// A largest error of this share of the standard error adds next to nothing to it.
 constexpr double followed_share = 0.3;
 
+/// Without their noise; what a jump parts is smoothed apart.
+SmoothedSamples without_noise(std::span<const double> samples, double resolution) {
+  SmoothedSamples all;
+  double squares = 0.0;
+  std::vector<std::size_t> ends = find_jumps(samples, resolution);
+  ends.push_back(samples.size() - 1);
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    const auto part = samples.subspan(begin, end + 1 - begin);
+    const SmoothedSamples smooth = filter_waves(part, smooth_samples(part, resolution), resolution);
+    all.values.insert(all.values.end(), smooth.values.begin(), smooth.values.end());
+    all.effective_parameters += smooth.effective_parameters;
+    squares += smooth.noise * smooth.noise * static_cast<double>(part.size());
+    begin = end + 1;
+  }
+  all.noise = std::sqrt(squares / static_cast<double>(samples.size()));
+  return all;
+}
+
 }  // namespace
 
 PiecewisePolynomial fit_selected(SegmentTables& tables, const EvenSamples& samples, int highest_degree,
                                  double resolution) {
-  const SmoothedSamples smooth = filter_waves(samples.values, smooth_samples(samples.values, resolution), resolution);
+  const SmoothedSamples smooth = without_noise(samples.values, resolution);
   const double tolerance = std::max(followed_share * smooth.standard_error(), resolution);
   const EvenSamples smoothed{samples.begin, samples.spacing, smooth.values};
   const PiecewisePolynomial within = fit_within(tables, smoothed, tolerance, highest_degree);

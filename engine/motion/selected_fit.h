@@ -5,7 +5,8 @@
 
 namespace sinew {
 
-/// A curve that resists noise: the samples are smoothed (smooth_samples, filter_waves), and the curve follows what is
+/// A curve that resists noise: the samples are smoothed (smooth_samples,
+/// filter_waves; apart on either side of a jump), and the curve follows what is
 /// left within a share of its own standard error, or within `resolution` where that is more, with as few segments as
 /// this takes, degrees up to `highest_degree`, 3 to 8.
 PiecewisePolynomial fit_selected(SegmentTables& tables, const EvenSamples& samples, int highest_degree,

@@ -27,7 +27,7 @@ struct PipelineParts {
   vk::PrimitiveTopology topology = vk::PrimitiveTopology::eTriangleList;
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
   DepthAndBlend depth;
-  vk::Format colour_format = Target::colour_format, depth_format = Target::depth_format;
+  vk::Format colour_format = vk::Format::eUndefined, depth_format = Target::depth_format;
   bool biased = false;  ///< pushed away from the light, so that no surface shades itself
 };
 
@@ -183,6 +183,7 @@ vk::Pipeline DrawPipelines::surface(const SurfaceLook& look) {
   PipelineParts parts;
   parts.vertex = vertex_shader(look);
   parts.samples = is_depth_only(look.pass) ? vk::SampleCountFlagBits::e1 : samples_;
+  parts.colour_format = colour_format_;
   parts.fragment = fragment_shader(look, parts.samples != vk::SampleCountFlagBits::e1);
   parts.constants = &constants;
   const bool positions_only = parts.vertex == Shader::depth_vertex, plain = parts.vertex == Shader::surface_vertex;
@@ -202,6 +203,7 @@ vk::Pipeline DrawPipelines::floor() {
   parts.fragment = Shader::floor_fragment;
   parts.topology = vk::PrimitiveTopology::eTriangleStrip;
   parts.samples = samples_;
+  parts.colour_format = colour_format_;
   parts.depth = {vk::CompareOp::eLess, false, true, true};
   floor_ = create(*vulkan_, *layouts_->surface, parts);
   return *floor_;
@@ -226,6 +228,7 @@ vk::Pipeline DrawPipelines::wire(WireDepth depth) {
   parts.vertex = Shader::wire_vertex;
   parts.fragment = Shader::wire_fragment;
   parts.samples = samples_;
+  parts.colour_format = colour_format_;
   const auto compare = depth == WireDepth::tested ? vk::CompareOp::eLess : vk::CompareOp::eAlways;
   parts.depth = {compare, false, true, true};
   return *wires_.emplace(depth, create(*vulkan_, *layouts_->wires, parts)).first->second;

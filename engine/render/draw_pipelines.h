@@ -50,8 +50,9 @@ struct DrawLayouts {
 /// Each call throws vk::SystemError where a pipeline cannot be made.
 class DrawPipelines {
  public:
-  DrawPipelines(VulkanDevice& vulkan, const DrawLayouts& layouts, vk::SampleCountFlagBits samples)
-      : vulkan_(&vulkan), layouts_(&layouts), samples_(samples) {}
+  DrawPipelines(VulkanDevice& vulkan, const DrawLayouts& layouts, vk::SampleCountFlagBits samples,
+                vk::Format colour_format)
+      : vulkan_(&vulkan), layouts_(&layouts), samples_(samples), colour_format_(colour_format) {}
 
   vk::Pipeline surface(const SurfaceLook& look);
   vk::Pipeline floor();
@@ -62,6 +63,7 @@ class DrawPipelines {
   VulkanDevice* vulkan_;
   const DrawLayouts* layouts_;
   vk::SampleCountFlagBits samples_;
+  vk::Format colour_format_;
   std::map<SurfaceLook, vk::raii::Pipeline> surfaces_;
   std::map<WireDepth, vk::raii::Pipeline> wires_;
   vk::raii::Pipeline floor_ = nullptr, contact_ = nullptr;

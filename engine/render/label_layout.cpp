@@ -58,6 +58,30 @@ bool meets(const Vec2& from, const Vec2& to, const Rect& box) {
   return enter <= leave;
 }
 
+std::vector<double> spread_apart(std::span<const double> wanted, double gap) {
+  struct Pool {
+    double sum = 0.0;
+    std::size_t count = 0;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    // Without the gaps, neighbours must not fall.
+    pools.push_back({wanted[i] - gap * static_cast<double>(i), 1});
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back().sum += last.sum;
+      pools.back().count += last.count;
+    }
+  }
+  std::vector<double> spread;
+  for (const Pool& pool : pools)
+    for (std::size_t k = 0; k < pool.count; ++k)
+      spread.push_back(pool.mean() + gap * static_cast<double>(spread.size()));
+  return spread;
+}
+
 LabelLayout::LabelLayout(int width, int height) : picture_{Vec2(edge), Vec2(width, height) - edge} {}
 
 bool LabelLayout::is_free(const PlacedLabel& label, bool over_lines) const {
@@ -80,6 +104,7 @@ bool LabelLayout::is_free(const PlacedLabel& label, bool over_lines) const {
 std::optional<PlacedLabel> LabelLayout::place(const LabelRequest& request) {
   const double length = glm::length(request.away);
   const Vec2 best = length > 1e-9 ? request.away / length : Vec2(1.0, 0.0);
+  const bool far = request.clearance > 1.5 * request.size.y;
   static const std::vector<Candidate> all = candidates();
   for (const bool over_lines : {false, true}) {
     if (over_lines && !request.may_cover) break;
@@ -87,7 +112,7 @@ std::optional<PlacedLabel> LabelLayout::place(const LabelRequest& request) {
       const double cosine = std::cos(candidate.turn), sine = std::sin(candidate.turn);
       const Vec2 direction(best.x * cosine - best.y * sine, best.x * sine + best.y * cosine);
       const double distance = request.clearance + candidate.distance * request.size.y;
-      PlacedLabel label{box_towards(request, direction, distance), candidate.distance > 0.7, {}, {}};
+      PlacedLabel label{box_towards(request, direction, distance), candidate.distance > 0.7 || far, {}, {}};
       if (label.leader) {
         label.leader_to = glm::clamp(request.anchor, label.box.low, label.box.high);
         const Vec2 along = label.leader_to - request.anchor;

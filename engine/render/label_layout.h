@@ -3,6 +3,7 @@
 /// not, nowhere where that fails too. Greedy: who asks first is served first.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/render/canvas.h"
@@ -46,6 +47,10 @@ class LabelLayout {
   std::vector<Rect> boxes_, labels_;
   std::vector<Line> lines_, leaders_;
 };
+
+/// The rising numbers that are nearest to `wanted` (rising) with neighbours at least `gap` apart: least squares, by
+/// pooling adjacent violators (Ayer et al. 1955).
+std::vector<double> spread_apart(std::span<const double> wanted, double gap);
 
 /// True where the segment and the box share a point.
 bool meets(const Vec2& from, const Vec2& to, const Rect& box);

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "engine/render/overlay_painter.h"
 
 namespace sinew {
@@ -71,24 +74,59 @@ void OverlayPainter::face_region(const FaceRegionOverlay& region) {
       canvas.disc(seen->at, line(4.0), palette::paper);
       canvas.disc(seen->at, line(2.8), region.colour);
     }
-  const auto anchor = screen.point(region.anchor);
-  if (!anchor) return;
-  const double aside = anchor->at.x - 0.5 * canvas.width();
-  Label label;
-  label.text = region.name;
-  label.request.anchor = anchor->at;
-  label.request.away = {aside < -1.0 ? -1.0 : 1.0, 0.0};
-  label.request.clearance = line(60.0);
-  label.request.dot = line(2.0);
-  label.request.may_cover = true;
-  label.importance = 4e4;
-  label.tick = region.colour;
-  label.boxed = true;
-  add_label(std::move(label));
+}
+
+/// In a column on either side of the face, in the regions' order from the top down, each as near its region's height as
+/// its neighbours leave room.
+void OverlayPainter::face_region_labels(std::span<const FaceRegionOverlay> regions) {
+  double left = canvas.width(), right = 0.0;
+  for (const FaceRegionOverlay& region : regions)
+    for (const SurfaceCut& cut : region.outline)
+      if (const auto seen = screen.point(cut.from)) {
+        left = std::min(left, seen->at.x);
+        right = std::max(right, seen->at.x);
+      }
+  struct Side {
+    std::vector<const FaceRegionOverlay*> regions;
+    std::vector<Vec2> anchors;
+  };
+  std::array<Side, 2> sides;
+  std::vector<std::pair<Vec2, const FaceRegionOverlay*>> all;
+  for (const FaceRegionOverlay& region : regions)
+    if (const auto anchor = screen.point(region.anchor)) all.push_back({anchor->at, &region});
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first.y < b.first.y; });
+  const double middle = 0.5 * (left + right), narrow = 0.04 * (right - left);
+  for (const auto& [anchor, region] : all) {
+    // What lies in the middle goes where there is more room.
+    const bool to_right =
+        std::abs(anchor.x - middle) > narrow ? anchor.x > middle : sides[0].anchors.size() > sides[1].anchors.size();
+    sides[to_right].anchors.push_back(anchor);
+    sides[to_right].regions.push_back(region);
+  }
+  for (int i = 0; i < 2; ++i) {
+    std::vector<double> heights;
+    for (const Vec2& anchor : sides[i].anchors) heights.push_back(anchor.y);
+    heights = spread_apart(heights, letters(34.0));
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+      const Vec2 place(i == 0 ? left - line(40.0) : right + line(40.0), heights[k]);
+      Label label;
+      label.text = sides[i].regions[k]->name;
+      label.request.anchor = sides[i].anchors[k];
+      label.request.away = place - label.request.anchor;
+      label.request.clearance = glm::length(label.request.away);
+      label.request.dot = line(2.0);
+      label.request.may_cover = true;
+      label.importance = 4e4 - heights[k];
+      label.tick = sides[i].regions[k]->colour;
+      label.boxed = true;
+      add_label(std::move(label));
+    }
+  }
 }
 
 void OverlayPainter::face(const FaceOverlay& face) {
   for (const FaceRegionOverlay& region : face.regions) face_region(region);
+  face_region_labels(face.regions);
   for (const FaceGuideLine& guide : face.guides) face_guide(guide);
 }
 

@@ -51,6 +51,7 @@ class OverlayPainter {
   void face(const FaceOverlay& face);
   void face_guide(const FaceGuideLine& guide);
   void face_region(const FaceRegionOverlay& region);
+  void face_region_labels(std::span<const FaceRegionOverlay> regions);
   void face_cuts(std::span<const SurfaceCut> cuts, const Colour& colour, double width);
   void box(const Bounds& box);
   void axes();

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/render/label_layout.h"
+
 namespace sinew {
 namespace {
 
@@ -18,14 +20,17 @@ class PlotPainter {
         plot_(plot),
         font_(font),
         size_(std::clamp(std::min(picture.width, picture.height) / 24.0, 9.0, 24.0)) {
-    const double left = 3.4 * size_, right = 1.4 * size_, top = 4.2 * size_, bottom = 3.8 * size_;
+    const double left = 3.4 * size_, right = 1.4 * size_, bottom = 3.8 * size_;
+    place_legend(left, picture.width - right);
+    const double top = (entries_.empty() ? 4.0 : entries_.back().at.y / size_ + 2.9) * size_;
     area_ = {Vec2(left, top), Vec2(picture.width - right, picture.height - bottom)};
   }
 
   void draw() {
     axes();
     for (const PlotCurve& curve : plot_.curves) this->curve(curve);
-    for (const PlotMark& mark : plot_.marks) this->mark(mark);
+    for (const PlotMark& mark : plot_.marks) dot(mark);
+    mark_labels();
     legend();
   }
 
@@ -68,7 +73,7 @@ class PlotPainter {
     canvas_.line({area_.low.x, area_.low.y}, {area_.low.x, area_.high.y}, thick);
     canvas_.line({area_.low.x, area_.high.y}, {area_.high.x, area_.high.y}, thick);
     text(plot_.title, {0.9 * size_, 0.7 * size_}, AlignX::left, AlignY::top, 1.1, canvas_.width() - 1.8 * size_);
-    text(plot_.y.name, {0.9 * size_, 2.4 * size_}, AlignX::left, AlignY::top, 0.95);
+    text(plot_.y.name, {0.9 * size_, area_.low.y - 1.8 * size_}, AlignX::left, AlignY::top, 0.95);
     text(plot_.x.name, {area_.high.x, area_.high.y + 1.9 * size_}, AlignX::right, AlignY::top, 0.95,
          area_.high.x - 0.5 * size_);
   }
@@ -86,33 +91,76 @@ class PlotPainter {
     const auto [low, high] = std::minmax(plot_.x.first, plot_.x.last);
     for (const Vec2& p : curve.points)
       if (p.x >= low && p.x <= high) points.push_back(place(p));
-    canvas_.polyline(points, stroke(curve));
+    // Of curves that lie on one another the lower ones show on either side.
+    Stroke line = stroke(curve);
+    for (const PlotCurve* later = &curve + 1; later < plot_.curves.data() + plot_.curves.size(); ++later)
+      if (later->points == curve.points && later->dashed == curve.dashed) line.width += 0.9 * stroke(curve).width;
+    canvas_.polyline(points, line);
   }
 
-  void mark(const PlotMark& mark) {
+  void dot(const PlotMark& mark) {
     const Vec2 at = place(mark.at);
     canvas_.disc(at, 0.42 * size_, paper);
     canvas_.disc(at, 0.32 * size_, mark.colour);
-    draw_text(canvas_, font_, mark.label, at + Vec2(mark.leftwards ? -0.6 * size_ : 0.6 * size_, -0.6 * size_),
-              {.size = 0.9 * size_,
-               .colour = ink,
-               .align_x = mark.leftwards ? AlignX::right : AlignX::left,
-               .align_y = AlignY::baseline,
-               .halo = paper});
   }
 
-  /// In a row over the axes, at the right.
-  void legend() {
-    double right = area_.high.x;
-    for (auto curve = plot_.curves.rbegin(); curve != plot_.curves.rend(); ++curve) {
-      if (curve->name.empty()) continue;
-      const double y = area_.low.y - 1.1 * size_;
-      text(curve->name, {right, y}, AlignX::right, AlignY::middle, 0.85);
-      right -= measure_text(font_, curve->name, 0.85 * size_).x + 0.4 * size_;
-      canvas_.line({right - 1.8 * size_, y}, {right, y}, stroke(*curve));
-      right -= 2.8 * size_;
+  /// Clear of one another, of the dots and of the axes' numbers.
+  void mark_labels() {
+    LabelLayout layout(canvas_.width(), canvas_.height());
+    layout.avoid(Rect{Vec2(0.0), Vec2(area_.low.x, canvas_.height())});
+    layout.avoid(Rect{Vec2(0.0, area_.high.y), Vec2(canvas_.width(), canvas_.height())});
+    for (const PlotMark& mark : plot_.marks)
+      layout.avoid(Rect{place(mark.at) - 0.42 * size_, place(mark.at) + 0.42 * size_});
+    for (auto mark = plot_.marks.begin(); mark != plot_.marks.end(); ++mark) {
+      const auto same = [&](const PlotMark& other) { return other.at == mark->at && other.label == mark->label; };
+      if (std::any_of(plot_.marks.begin(), mark, same)) continue;
+      LabelRequest request;
+      request.anchor = place(mark->at);
+      request.size = measure_text(font_, mark->label, 0.9 * size_);
+      request.away = {mark->leftwards ? -1.0 : 1.0, -1.0};
+      request.clearance = 0.6 * size_;
+      request.dot = 0.42 * size_;
+      request.may_cover = true;
+      const auto found = layout.place(request);
+      if (!found) continue;
+      if (found->leader)
+        canvas_.line(found->leader_from, found->leader_to, {.colour = ink, .width = std::max(1.0, size_ / 16.0)});
+      draw_text(
+          canvas_, font_, mark->label, found->box.centre(),
+          {.size = 0.9 * size_, .colour = ink, .align_x = AlignX::centre, .align_y = AlignY::middle, .halo = paper});
     }
   }
+
+  /// Rows between title and axes, from the left; a name too long for a row shrinks.
+  void place_legend(double left, double right) {
+    double x = left, y = 3.0 * size_;
+    for (const PlotCurve& curve : plot_.curves) {
+      if (curve.name.empty()) continue;
+      const double wide = legend_line_ * size_ + measure_text(font_, curve.name, 0.85 * size_).x;
+      if (x > left && x + wide > right) {
+        x = left;
+        y += 1.4 * size_;
+      }
+      entries_.push_back({&curve, {x, y}, right - x - legend_line_ * size_});
+      x += wide + 1.2 * size_;
+    }
+  }
+
+  void legend() {
+    for (const LegendEntry& entry : entries_) {
+      canvas_.line(entry.at, entry.at + Vec2((legend_line_ - 0.5) * size_, 0.0), stroke(*entry.curve));
+      text(entry.curve->name, entry.at + Vec2(legend_line_ * size_, 0.0), AlignX::left, AlignY::middle, 0.85,
+           entry.room);
+    }
+  }
+
+  static constexpr double legend_line_ = 2.3;  ///< of a legend's line and the gap behind it, letters' sizes
+  struct LegendEntry {
+    const PlotCurve* curve;
+    Vec2 at{0.0};       ///< the line's left end
+    double room = 0.0;  ///< pixels for the name
+  };
+  std::vector<LegendEntry> entries_;
 
   Canvas canvas_;
   const Plot& plot_;

@@ -13,6 +13,19 @@
 namespace sinew {
 namespace {
 
+/// What has to be drawn.
+vk::Rect2D area_of(const Shot& shot, const Target& target) {
+  const bool all = !shot.seen || shot.seen->width <= 0 || shot.seen->height <= 0;
+  const PictureArea area =
+      all ? PictureArea{0, 0, static_cast<int>(target.width), static_cast<int>(target.height)} : *shot.seen;
+  return {{area.left, area.top}, {static_cast<uint32_t>(area.width), static_cast<uint32_t>(area.height)}};
+}
+
+/// Seen from below, or along it, the floor shows nothing.
+bool is_above(const Viewpoint& camera, double floor) {
+  return camera.is_parallel() ? camera.back.y > 1e-6 : camera.eye.y > floor;
+}
+
 /// Width of a wire at 720 lines; it grows with the picture.
 constexpr double wire_width = 1.1;
 /// Dark blue-grey, sRGB and alpha; and what shines through of hidden edges.
@@ -34,12 +47,13 @@ Vec2 depth_span(const Viewpoint& camera, const Bounds& box) {
 layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, const ShadowMaps& maps) {
   layout::FrameUniforms u{};
   const Viewpoint& camera = shot.viewpoint;
-  const Studio studio = make_studio(camera, shot.scene, shot.floor.value_or(0.0));
-  u.view_projection = Mat4f(camera.view_projection(double(target.width) / target.height));
+  const double aspect = double(target.width) / target.height;
+  const Studio studio = make_studio(camera, aspect, shot.scene, shot.floor);
+  u.view_projection = Mat4f(studio.viewpoint.view_projection(aspect));
   u.light_projection = Mat4f(studio.light_projection);
   u.contact_projection = Mat4f(studio.contact_projection);
-  u.eye = word(camera.eye);
-  u.back = word(camera.back);
+  u.eye = camera.is_parallel() ? word(camera.back, 0.0) : word(camera.eye, 1.0);
+  u.back = word(camera.back, glm::dot(camera.eye, camera.back));
   u.key = word(studio.key);
   u.fill = word(studio.fill);
   u.rim = word(studio.rim);
@@ -93,7 +107,7 @@ struct Renderer::Impl {
   std::vector<Character> characters;
 
   void create(const RendererOptions& options);
-  void set_size(int width, int height, vk::SampleCountFlagBits samples);
+  void set_size(int width, int height, vk::SampleCountFlagBits samples, vk::Format colour_format);
   void write_frame_set(vk::DescriptorSet set, const vk::DescriptorImageInfo& contact) const;
   void add(const Model& model, const CharacterMesh& mesh, GpuDeformer deformer,
            std::span<const std::uint32_t> triangles, std::span<const RigidDuplicate> duplicates,
@@ -112,12 +126,13 @@ struct Renderer::Impl {
 void Renderer::Impl::create(const RendererOptions& options) {
   const auto samples = options.samples == 4 ? vk::SampleCountFlagBits::e4 : vk::SampleCountFlagBits::e1;
   wire_mode = options.wire;
-  set_size(options.width, options.height, samples);
+  const vk::Format format = options.for_window ? vk::Format::eB8G8R8A8Unorm : vk::Format::eR8G8B8A8Unorm;
+  set_size(options.width, options.height, samples, format);
   frame_buffer =
       vulkan->create_buffer(sizeof(layout::FrameUniforms), vk::BufferUsageFlagBits::eUniformBuffer, MemoryUse::upload);
   layouts = DrawLayouts::create(*vulkan);
   shadow_maps = ShadowMaps::create(*vulkan);
-  pipelines.emplace(*vulkan, layouts, samples);
+  pipelines.emplace(*vulkan, layouts, samples, target.colour_format);
   const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2),
                          vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, 4)};
   descriptor_pool = vk::raii::DescriptorPool(vulkan->device, vk::DescriptorPoolCreateInfo({}, 2, sizes));
@@ -130,8 +145,8 @@ void Renderer::Impl::create(const RendererOptions& options) {
                   {*shadow_maps.smooth, *shadow_maps.shade.image.view, vk::ImageLayout::eShaderReadOnlyOptimal});
 }
 
-void Renderer::Impl::set_size(int width, int height, vk::SampleCountFlagBits samples) {
-  target = Target::create(*vulkan, static_cast<uint32_t>(width), static_cast<uint32_t>(height), samples);
+void Renderer::Impl::set_size(int width, int height, vk::SampleCountFlagBits samples, vk::Format colour_format) {
+  target = Target::create(*vulkan, static_cast<uint32_t>(width), static_cast<uint32_t>(height), samples, colour_format);
   if (layers) layers = TransparentLayers::create(*vulkan, target, layouts.layers);
 }
 
@@ -261,10 +276,9 @@ void Renderer::Impl::record_wires(const vk::raii::CommandBuffer& commands) {
 
 void Renderer::Impl::record_draw(const vk::raii::CommandBuffer& commands, const Shot& shot) {
   record_shadows(commands, shot);
-  target.begin(commands, shot.background, !layers);
+  target.begin(commands, shot.background, !layers, area_of(shot, target));
   record_parts(commands, DrawPass::opaque, shot);
-  // Seen from below the floor hides nothing and shows nothing.
-  if (shot.floor && has_materials(shot.shading) && shot.viewpoint.eye.y > *shot.floor) record_floor(commands);
+  if (shot.floor && has_materials(shot.shading) && is_above(shot.viewpoint, *shot.floor)) record_floor(commands);
   if (wire_mode != WireMode::none) record_wires(commands);
   target.end(commands);
   if (!layers) return;
@@ -345,10 +359,11 @@ Result<void> Renderer::draw_for_window(const Shot& shot) {
 
 Result<void> Renderer::resize(int width, int height) {
   if (auto ok = check_size(impl_->vulkan->limits, width, height); !ok) return ok;
-  return vulkan_call("making the picture", [&] { impl_->set_size(width, height, impl_->target.samples); });
+  return vulkan_call("making the picture",
+                     [&] { impl_->set_size(width, height, impl_->target.samples, impl_->target.colour_format); });
 }
 
-const DeviceImage& picture_image(const Renderer& renderer) { return renderer.impl_->target.colour; }
+const Target& picture_target(const Renderer& renderer) { return renderer.impl_->target; }
 
 Result<void> Renderer::deform() {
   return vulkan_call("deforming", [&] {
@@ -377,6 +392,8 @@ Picture Renderer::picture() const {
   Picture picture{static_cast<int>(target.width), static_cast<int>(target.height), {}};
   const std::span<std::uint8_t> bytes = target.readback.as<std::uint8_t>();
   picture.rgba.assign(bytes.begin(), bytes.begin() + std::ptrdiff_t{4} * picture.width * picture.height);
+  if (target.colour_format == vk::Format::eB8G8R8A8Unorm)
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) std::swap(picture.rgba[i], picture.rgba[i + 2]);
   return picture;
 }
 

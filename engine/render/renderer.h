@@ -14,12 +14,19 @@
 
 namespace sinew {
 
-struct DeviceImage;
+struct Target;
 
 struct RendererOptions {
   int width = 1280, height = 720;
   int samples = 1;  ///< 1 or 4
   WireMode wire = WireMode::none;
+  bool for_window = false;  ///< the picture lies on the device as most windows have it, blue first
+};
+
+/// A part of a picture, whole pixels from its upper left corner.
+struct PictureArea {
+  int left = 0, top = 0, width = 0, height = 0;
+  bool operator==(const PictureArea&) const = default;
 };
 
 /// One frame's look at the scene.
@@ -27,10 +34,11 @@ struct Shot {
   Viewpoint viewpoint;
   Shading shading = Shading::lit;
   std::array<float, 4> background{0.847f, 0.847f, 0.847f, 1.0f};  ///< sRGB and alpha, 0 to 1
-  double largest_bulge = 0.0;   ///< height that Shading::bulge shows in full red, world units
-  Bounds scene;                 ///< box of all that is shown over the whole range: what shadows are drawn for
-  bool shadows = false;         ///< of the key light; Shading::lit and flat only
-  std::optional<double> floor;  ///< height of the floor that shows shadows; likewise
+  double largest_bulge = 0.0;       ///< height that Shading::bulge shows in full red, world units
+  Bounds scene;                     ///< box of all that is shown over the whole range: what shadows are drawn for
+  bool shadows = false;             ///< of the key light; Shading::lit and flat only
+  std::optional<double> floor;      ///< height of the floor that shows shadows; likewise
+  std::optional<PictureArea> seen;  ///< within the picture; beyond it anything may be drawn or left out; absent: all
 };
 
 /// What a character looks like, besides its shape.
@@ -73,7 +81,7 @@ class Renderer {
 
  private:
   struct Impl;
-  friend const DeviceImage& picture_image(const Renderer& renderer);
+  friend const Target& picture_target(const Renderer& renderer);
   explicit Renderer(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

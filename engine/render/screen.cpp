@@ -8,16 +8,23 @@ bool beyond(const Vec4& clip) { return clip.z > 0.0; }
 
 bool finite(const Vec4& v) { return std::isfinite(v.x + v.y + v.z + v.w); }
 
-/// Where the segment meets the near plane, whose w is the plane's distance.
+/// Where the segment meets the near plane.
 Vec4 crossing(const Vec4& a, const Vec4& b) { return a + (a.z / (a.z - b.z)) * (b - a); }
 
 }  // namespace
 
 Screen::Screen(const Viewpoint& viewpoint, int width, int height)
-    : view_projection_(viewpoint.view_projection(double(width) / height)), eye_(viewpoint.eye), size_(width, height) {}
+    : view_projection_(viewpoint.view_projection(double(width) / height)),
+      eye_(viewpoint.eye, 1.0),
+      size_(width, height) {
+  if (!viewpoint.is_parallel()) return;
+  eye_ = Vec4(viewpoint.back, 0.0);
+  parallel_ = {viewpoint.near_plane, viewpoint.far_plane - viewpoint.near_plane};
+}
 
 ScreenPoint Screen::on_screen(const Vec4& clip) const {
-  return {(Vec2(clip.x, clip.y) / clip.w * 0.5 + 0.5) * size_, clip.w};
+  const double depth = eye_.w > 0.0 ? clip.w : parallel_.x + clip.z * parallel_.y;
+  return {(Vec2(clip.x, clip.y) / clip.w * 0.5 + 0.5) * size_, depth};
 }
 
 std::optional<ScreenPoint> Screen::point(const Vec3& p) const {

@@ -29,16 +29,18 @@ class Screen {
   /// The part of a convex polygon beyond the near plane; empty where there is none.
   Contour polygon(std::span<const Vec3> corners) const;
 
-  const Vec3& eye() const { return eye_; }
   /// True where a surface with this normal shows its front.
-  bool faces(const Vec3& p, const Vec3& normal) const { return glm::dot(normal, eye_ - p) > 0.0; }
+  bool faces(const Vec3& p, const Vec3& normal) const { return glm::dot(normal, towards_eye(p)) > 0.0; }
+  /// From a point to where it is seen from; any length.
+  Vec3 towards_eye(const Vec3& p) const { return Vec3(eye_) - eye_.w * p; }
 
  private:
   Vec4 clip(const Vec3& p) const { return view_projection_ * Vec4(p, 1.0); }
   ScreenPoint on_screen(const Vec4& clip) const;
 
   Mat4 view_projection_;
-  Vec3 eye_;
+  Vec4 eye_;          ///< its place and 1; of parallel rays their direction towards it and 0
+  Vec2 parallel_{0};  ///< of parallel rays: the near plane's distance, and how much farther the far one is
   Vec2 size_;
 };
 

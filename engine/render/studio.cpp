@@ -1,5 +1,7 @@
 #include "engine/render/studio.h"
 
+#include "engine/render/frustum.h"
+
 namespace sinew {
 namespace {
 
@@ -19,12 +21,39 @@ Mat4 from_rows(const Vec4& x, const Vec4& y, const Vec4& z) { return glm::transp
 /// (dot(p, axis) - at) * scale as a row.
 Vec4 row(const Vec3& axis, double at, double scale) { return Vec4(axis * scale, -at * scale); }
 
-Mat4 light_projection(const Vec3& to_light, const Vec3& centre, double radius) {
+/// The axes of a light's map: right, up, and away from the light.
+Mat3 light_axes(const Vec3& to_light) {
   const Vec3 helper = std::abs(to_light.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
-  const Vec3 right = glm::normalize(glm::cross(helper, to_light)), up = glm::cross(to_light, right);
-  const Vec3 away = -to_light;
-  return from_rows(row(right, glm::dot(right, centre), 1.0 / radius), row(up, glm::dot(up, centre), -1.0 / radius),
-                   row(away, glm::dot(away, centre) - radius, 0.5 / radius));
+  const Vec3 right = glm::normalize(glm::cross(helper, to_light));
+  return {right, glm::cross(to_light, right), -to_light};
+}
+
+Bounds box_along(const Mat3& axes, std::span<const Vec3> points) {
+  Bounds box;
+  for (const Vec3& p : points) box.add(glm::transpose(axes) * p);
+  return box;
+}
+
+/// Half the side of the least square map, and its centre, that hold what is seen and can be in shadow.
+void aim_light(const Frustum& seen, const Bounds& scene, std::span<const Vec3> floor, Studio& studio) {
+  const Mat3 axes = light_axes(studio.key);
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(scene.corner(i));
+  const Bounds whole = box_along(axes, corners);
+  std::vector<Vec3> points = seen_part(seen, scene);
+  const std::vector<Vec3> seen_floor = clipped_polygon({floor.begin(), floor.end()}, seen.planes);
+  points.insert(points.end(), seen_floor.begin(), seen_floor.end());
+  Bounds window = points.empty() ? whole : box_along(axes, points);
+  window.low = glm::max(window.low, whole.low);
+  window.high = glm::min(window.high, whole.high);
+  if (window.low.x > window.high.x || window.low.y > window.high.y) window = whole;
+  // The filter looks a little over the edge.
+  const double half =
+      0.51 * std::max({window.high.x - window.low.x, window.high.y - window.low.y, 1e-3 * scene.diagonal()});
+  const Vec3 at = window.centre();
+  studio.light_projection = from_rows(row(axes[0], at.x, 1.0 / half), row(axes[1], at.y, -1.0 / half),
+                                      row(axes[2], whole.low.z, 1.0 / (whole.high.z - whole.low.z)));
+  studio.shadow_width = 2.0 * half;
 }
 
 /// Where a point's shadow falls on the floor, no farther than `farthest`.
@@ -38,7 +67,8 @@ Vec3 shadow_of(const Vec3& p, const Vec3& to_light, double floor_height, double 
 
 }  // namespace
 
-Studio make_studio(const Viewpoint& viewpoint, const Bounds& scene, double floor_height) {
+Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scene, std::optional<double> floor) {
+  const double floor_height = floor.value_or(0.0);
   const auto in_world = [&](const Vec3& v) {
     return glm::normalize(v.x * viewpoint.right + v.y * viewpoint.up + v.z * viewpoint.back);
   };
@@ -49,11 +79,6 @@ Studio make_studio(const Viewpoint& viewpoint, const Bounds& scene, double floor
 
   const Vec3 centre = scene.centre(), size = scene.high - scene.low;
   const double diagonal = std::max(scene.diagonal(), 1e-9);
-  // A bulge or a strand of hair may leave the box a little.
-  const double radius = 0.55 * diagonal;
-  studio.light_projection = light_projection(studio.key, centre, radius);
-  studio.shadow_width = 2.0 * radius;
-
   const double reach = contact_reach_share * diagonal;
   const double half = 0.5 * std::max(size.x, size.z) + 1.5 * reach;
   const double lowest = floor_height - sunk_share * reach;
@@ -67,6 +92,22 @@ Studio make_studio(const Viewpoint& viewpoint, const Bounds& scene, double floor
   for (int i = 0; i < 8; ++i) reached.add(shadow_of(scene.corner(i), studio.key, floor_height, studio.fading_distance));
   studio.floor_centre = {reached.centre().x, floor_height, reached.centre().z};
   studio.floor_half_size = 0.5 * Vec2(reached.high.x - reached.low.x, reached.high.z - reached.low.z);
+
+  std::vector<Vec3> floor_corners;
+  studio.viewpoint = viewpoint;
+  if (floor)
+    for (const Vec2& side : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+      const Vec2 away = side * studio.floor_half_size;
+      floor_corners.push_back(studio.floor_centre + Vec3(away.x, 0.0, away.y));
+      const double depth = glm::dot(viewpoint.eye - floor_corners.back(), viewpoint.back);
+      studio.viewpoint.far_plane = std::max(studio.viewpoint.far_plane, 1.01 * depth);
+      if (viewpoint.is_parallel()) studio.viewpoint.near_plane = std::min(studio.viewpoint.near_plane, depth);
+    }
+  // A bulge or a strand of hair may leave the box a little.
+  Bounds grown = scene;
+  grown.low -= 0.05 * diagonal;
+  grown.high += 0.05 * diagonal;
+  aim_light(frustum_of(studio.viewpoint, aspect), grown, floor_corners, studio);
   return studio;
 }
 

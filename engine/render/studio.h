@@ -2,6 +2,8 @@
 /// The studio that characters stand in: three lights that stand relative to the camera, the floor, and how the maps of
 /// their shadows look at the scene. No Vulkan here.
 
+#include <optional>
+
 #include "engine/render/viewpoint.h"
 
 namespace sinew {
@@ -15,9 +17,12 @@ struct Studio {
   Vec3 floor_centre{0.0};
   Vec2 floor_half_size{0.0};     ///< along x and z: what shadows can reach
   double fading_distance = 0.0;  ///< from the centre, at which shadows have faded
+  Viewpoint viewpoint;           ///< the camera, its far plane behind the floor
 };
 
-/// `scene`: the box of all that is shown over the whole range. The floor lies at `floor_height`.
-Studio make_studio(const Viewpoint& viewpoint, const Bounds& scene, double floor_height);
+/// `scene`: the box of all that is shown over the whole range. `floor`: its height, where one is shown. The key light's
+/// map holds what the camera sees of scene and floor, and all of the scene that may throw a shadow there: what is seen
+/// from near by has finer shadows.
+Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scene, std::optional<double> floor);
 
 }  // namespace sinew

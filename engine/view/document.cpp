@@ -4,13 +4,22 @@
 
 #include "engine/core/files.h"
 #include "engine/io/scene_file.h"
+#include "engine/view/track_edit.h"
 
 namespace sinew {
 namespace {
 
+/// How the mesh's edges are drawn, which is part of drawing the surface.
+std::pair<bool, bool> wires(const Look& look) {
+  const auto has = [&](Overlay wanted) { return std::ranges::find(look.overlay, wanted) != look.overlay.end(); };
+  return {has(Overlay::wire), has(Overlay::wire_all)};
+}
+
 /// What differs between two scenes, at most.
 Touched touched(const Scene& a, const Scene& b) {
-  if (a.look.joint != b.look.joint || a.look.shading != b.look.shading) return Touched::all;
+  if (a.look.joint != b.look.joint || a.look.shading != b.look.shading || a.look.compare != b.look.compare ||
+      wires(a.look) != wires(b.look))
+    return Touched::all;
   if (a.fps != b.fps || a.frames != b.frames || a.characters.size() != b.characters.size()) return Touched::all;
   Touched most = Touched::look;
   for (std::size_t i = 0; i < a.characters.size(); ++i) {
@@ -19,6 +28,7 @@ Touched touched(const Scene& a, const Scene& b) {
     one.keys = b.characters[i].keys;
     one.expressions = b.characters[i].expressions;
     one.regions = b.characters[i].regions;
+    one.motion = b.characters[i].motion;
     one.position = b.characters[i].position;
     one.turn = b.characters[i].turn;
     if (!(one == b.characters[i])) return Touched::all;
@@ -26,8 +36,6 @@ Touched touched(const Scene& a, const Scene& b) {
   }
   return most;
 }
-
-auto key_at(Keyed<Vec3>& track, double frame) { return std::ranges::find(track.keys, frame, &Key<Vec3>::frame); }
 
 /// Text that a shell takes as one word.
 std::string quoted(const std::string& text) {
@@ -124,18 +132,7 @@ Result<void> Document::save(const std::filesystem::path& file) {
 
 void set_joint_degrees(Character& character, const std::string& joint, double frame, const Vec3& degrees) {
   const auto [track, is_new] = character.keys.try_emplace(joint, Keyed<Vec3>::constant(degrees));
-  if (is_new) return;
-  Keyed<Vec3>& keyed = track->second;
-  if (keyed.is_constant()) {
-    keyed.keys.front().value = degrees;
-    return;
-  }
-  if (const auto key = key_at(keyed, frame); key != keyed.keys.end()) {
-    key->value = degrees;
-    return;
-  }
-  const auto next = std::ranges::lower_bound(keyed.keys, frame, {}, &Key<Vec3>::frame);
-  keyed.keys.insert(next, {frame, degrees});
+  if (!is_new) set_value(track->second, frame, degrees);
 }
 
 Vec3 joint_degrees(const Character& character, const std::string& joint, double frame) {
@@ -145,24 +142,15 @@ Vec3 joint_degrees(const Character& character, const std::string& joint, double 
 
 void add_joint_key(Character& character, const std::string& joint, double frame) {
   const auto [track, is_new] = character.keys.try_emplace(joint, Keyed<Vec3>::constant(Vec3(0.0)));
-  Keyed<Vec3>& keyed = track->second;
-  if (is_new) {
-    keyed.keys.front().frame = frame;
-    return;
-  }
-  if (key_at(keyed, frame) != keyed.keys.end()) return;
-  const Vec3 value = keyed.value_at(frame);
-  const auto next = std::ranges::lower_bound(keyed.keys, frame, {}, &Key<Vec3>::frame);
-  keyed.keys.insert(next, {frame, value});
+  if (is_new)
+    track->second.keys.front().frame = frame;
+  else
+    put_key(track->second, frame, track->second.value_at(frame));
 }
 
 void remove_joint_key(Character& character, const std::string& joint, double frame) {
   const auto track = character.keys.find(joint);
-  if (track == character.keys.end()) return;
-  const auto key = key_at(track->second, frame);
-  if (key == track->second.keys.end()) return;
-  track->second.keys.erase(key);
-  if (track->second.keys.empty()) character.keys.erase(track);
+  if (track != character.keys.end() && remove_key(track->second, frame)) character.keys.erase(track);
 }
 
 std::string render_command(const Document& document, const std::string& scene_file, int frame, int width, int height) {

@@ -11,7 +11,7 @@ namespace sinew {
 /// What an edit touched, and so what has to be made anew to show it.
 enum class Touched {
   look,   ///< camera and look alone
-  poses,  ///< joints' keys: the stage's bounds, nothing on the device
+  poses,  ///< joints' keys, motions: the stage's bounds, nothing on the device
   all,    ///< characters, muscles, clips: everything on the device
 };
 
@@ -40,6 +40,9 @@ class Document {
   std::string redo_label() const { return can_redo() ? edits_[done_].label : ""; }
   Result<Touched> undo();
   Result<Touched> redo();
+
+  /// A model for scenes to come, which edit() then need not read or draw: ready_character().
+  void lend(StagedCharacter ready) { stage_.spare.insert(stage_.spare.begin(), std::move(ready)); }
 
   /// Another deformer, bulge mode or strength, which no scene holds: not undone. Everything is to be made anew.
   void set_options(Deformer deformer, BulgeMode bulge, double strength);

@@ -15,7 +15,7 @@ constexpr double shortest = 1e-4, longest = 1e6;
 
 OrbitCamera OrbitCamera::of(const FrameMaker& maker, int frame, double aspect) {
   const CameraPlace place = maker.camera_place(frame);
-  OrbitCamera out{place.direction, {}, 1.0};
+  OrbitCamera out{place.direction, {}, 1.0, place.rays};
   out.frame(maker.bounds(), aspect);
   if (place.target) out.target = *place.target;
   if (place.distance) out.distance = *place.distance;
@@ -24,7 +24,7 @@ OrbitCamera OrbitCamera::of(const FrameMaker& maker, int frame, double aspect) {
 
 void OrbitCamera::frame(const Bounds& box, double aspect) {
   target = box.centre();
-  distance = std::clamp(glm::length(frame_box(box, direction, aspect).eye - target), shortest, longest);
+  distance = std::clamp(glm::length(frame_box(box, direction, aspect, rays).eye - target), shortest, longest);
 }
 
 void OrbitCamera::orbit(double across, double down) {
@@ -36,7 +36,7 @@ void OrbitCamera::pan(double across, double down) {
   Bounds point;
   point.add(target);
   const Viewpoint camera = look_at(target, distance, point, direction);
-  const double height = 2.0 * distance * std::tan(0.5 * vertical_field_of_view_degrees * degrees_to_radians);
+  const double height = seen_height(distance);
   target += height * (down * camera.up - across * camera.right);
 }
 
@@ -46,6 +46,7 @@ void OrbitCamera::zoom(double steps) {
 
 Camera OrbitCamera::camera() const {
   Camera camera;
+  if (rays == Rays::parallel) camera.projection = Projection::orthographic;
   camera.orbit = Keyed<double>::constant(direction.azimuth);
   camera.elevation = direction.elevation;
   camera.target = Keyed<Vec3>::constant(target);

@@ -10,6 +10,7 @@ struct OrbitCamera {
   ViewDirection direction;
   Vec3 target{0.0};
   double distance = 1.0;
+  Rays rays = Rays::from_eye;
 
   /// Where the scene has its camera at a frame, what it leaves open framed.
   static OrbitCamera of(const FrameMaker& maker, int frame, double aspect);

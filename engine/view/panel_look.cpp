@@ -24,6 +24,41 @@ bool choose(const char* label, const Words& words, int& chosen) {
   return changed;
 }
 
+/// Puts an overlay into the list or takes it out of it.
+void set_overlay(Look& look, Overlay overlay, bool shown) {
+  std::erase(look.overlay, overlay);
+  if (shown) look.overlay.push_back(overlay);
+  // A comparison with the picture without overlays needs some.
+  if (look.overlay.empty() && look.compare == CompareWith::overlay) look.compare = CompareWith::none;
+}
+
+template <class Ask>
+void draw_overlays(bool with_face, Look& look, const Ask& ask) {
+  static constexpr Overlay shown[] = {Overlay::skeleton, Overlay::bones,   Overlay::muscles, Overlay::wire,
+                                      Overlay::guides,   Overlay::regions, Overlay::box,     Overlay::axes};
+  if (ImGui::BeginTable("overlays", 3, ImGuiTableFlags_SizingStretchSame)) {
+    for (const Overlay overlay : shown) {
+      const std::string name = overlay_names()[static_cast<std::size_t>(overlay)];
+      bool on = std::ranges::find(look.overlay, overlay) != look.overlay.end();
+      ImGui::TableNextColumn();
+      const bool of_face = overlay == Overlay::guides || overlay == Overlay::regions;
+      ImGui::BeginDisabled(of_face && !with_face && !on);
+      const bool changed = ImGui::Checkbox(name.c_str(), &on);
+      ImGui::EndDisabled();
+      if (!changed) continue;
+      set_overlay(look, overlay, on);
+      ask(("overlay " + name).c_str());
+    }
+    ImGui::EndTable();
+  }
+  int compare = static_cast<int>(look.compare);
+  if (choose("compare", comparison_names(), compare)) {
+    look.compare = static_cast<CompareWith>(compare);
+    if (look.compare != CompareWith::overlay || !look.overlay.empty()) ask("compare");
+  }
+  show_tip("drag the line in the picture; overlay: with and without what is drawn over it");
+}
+
 }  // namespace
 
 void draw_look(const Document& document, ViewState& state) {
@@ -51,6 +86,7 @@ void draw_look(const Document& document, ViewState& state) {
     look.floor = floor;
     ask("floor");
   }
+  draw_overlays(has_face(document), look, ask);
   std::array<float, 3> colour{look.background.red / 255.0f, look.background.green / 255.0f,
                               look.background.blue / 255.0f};
   if (ImGui::ColorEdit3("background", colour.data(), ImGuiColorEditFlags_NoInputs)) {
@@ -66,6 +102,10 @@ void draw_look(const Document& document, ViewState& state) {
   }
   if (ImGui::SmallButton("all")) state.frame_all = true;
   show_tip("F: frames everything");
+  ImGui::SameLine();
+  const bool parallel = document.scene().camera.projection == Projection::orthographic;
+  if (ImGui::SmallButton(parallel ? "parallel" : "persp")) state.toggle_projection = true;
+  show_tip("5: perspective or parallel rays");
 }
 
 void draw_deformer(const Document& document, ViewState& state) {
@@ -89,53 +129,6 @@ void draw_deformer(const Document& document, ViewState& state) {
     state.options = options;
   }
   show_tip("of all muscles");
-}
-
-namespace {
-
-/// Lengths of one muscle, to be dragged. Each step is a share of the length itself, whatever the model's unit.
-void draw_muscle(const Document& document, std::size_t character, std::size_t number, const Muscle& muscle,
-                 ViewState& state) {
-  const auto length = [&](const char* label, double value, auto set) {
-    constexpr float share_a_pixel = 0.005f, least = 1e-5f;
-    float shown = static_cast<float>(value);
-    ImGui::SetNextItemWidth(150.0f);
-    const float speed = std::max(share_a_pixel * std::abs(shown), least);
-    if (ImGui::DragFloat(label, &shown, speed, least, 1e6f, "%.4f", ImGuiSliderFlags_AlwaysClamp)) {
-      Scene scene = document.scene();
-      set(scene.characters[character].muscles[number], static_cast<double>(shown));
-      state.ask(std::move(scene), muscle.name + " " + label, muscle.name + label);
-    }
-    if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
-  };
-  length("peak", muscle.peak, [](MuscleSpec& spec, double v) { spec.peak = v; });
-  length("sigma along", muscle.sigma.x, [&](MuscleSpec& spec, double v) { spec.sigma = Vec2(v, muscle.sigma.y); });
-  length("sigma across", muscle.sigma.y, [&](MuscleSpec& spec, double v) { spec.sigma = Vec2(muscle.sigma.x, v); });
-}
-
-}  // namespace
-
-void draw_muscles(const Document& document, ViewState& state) {
-  const Stage& stage = document.stage();
-  // Before the first picture, and after characters came or went, there is nothing to tell yet.
-  if (state.states.size() != stage.characters.size()) return;
-  for (std::size_t c = 0; c < stage.characters.size(); ++c) {
-    const std::vector<PlacedMuscle>& muscles = stage.characters[c].muscles;
-    if (state.states[c].activations.size() != muscles.size()) continue;
-    for (std::size_t m = 0; m < muscles.size(); ++m) {
-      const double activation = state.states[c].activations[m];
-      ImGui::PushID(static_cast<int>(100 * c + m));
-      const bool open = ImGui::TreeNode(muscles[m].muscle.name.c_str());
-      ImGui::SameLine(170.0f);
-      ImGui::ProgressBar(static_cast<float>(std::clamp(activation, 0.0, 1.0)), {-1.0f, 0.0f},
-                         fmt::format("{:.2f}", activation).c_str());
-      if (open) {
-        draw_muscle(document, c, m, muscles[m].muscle, state);
-        ImGui::TreePop();
-      }
-      ImGui::PopID();
-    }
-  }
 }
 
 }  // namespace sinew

@@ -5,11 +5,21 @@
 
 namespace sinew {
 
+void draw_file(const Document& document, ViewState& state);
 void draw_look(const Document& document, ViewState& state);
 void draw_deformer(const Document& document, ViewState& state);
 void draw_muscles(const Document& document, ViewState& state);
 void draw_pose(const Document& document, ViewState& state);
+void draw_face(const Document& document, ViewState& state);
 void draw_time(const Document& document, ViewState& state);
+void draw_motion(const Document& document, ViewState& state);
+void draw_curves(const Document& document, ViewState& state);
+
+/// Asks for a clip of the library as the motion of the character that is chosen.
+void ask_for_clip(const Document& document, ViewState& state, const std::string& clip);
+
+/// True where a character of the scene has a face with regions.
+bool has_face(const Document& document);
 
 /// Explains the item before it to a pointer that rests on it.
 void show_tip(const std::string& text);

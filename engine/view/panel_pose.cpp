@@ -1,15 +1,12 @@
-#include <map>
-
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "engine/core/text.h"
+#include "engine/rig/joint_limits.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
 namespace {
-
-constexpr float widest_turn = 180.0f;
 
 void draw_sliders(const Document& document, ViewState& state) {
   if (state.joint.empty()) {
@@ -27,11 +24,16 @@ void draw_sliders(const Document& document, ViewState& state) {
   const auto track = character.keys.find(state.joint);
   const std::size_t keys = track == character.keys.end() ? 0 : track->second.keys.size();
   ImGui::Text("%s", state.joint.c_str());
+  const StagedCharacter& staged = document.stage().characters[state.character];
+  const auto node = find_joint(*staged.model, staged.humanoid, state.joint);
+  const auto limits = node ? joint_limits(*staged.model, staged.humanoid, staged.rest.global, *node) : std::nullopt;
   for (int axis = 0; axis < 3; ++axis) {
     float value = static_cast<float>(degrees[axis]);
     ImGui::SetNextItemWidth(-30.0f);
     static constexpr const char* labels[] = {"x", "y", "z"};
-    if (ImGui::SliderFloat(labels[axis], &value, -widest_turn, widest_turn, "%.1f deg")) {
+    const DegreeRange range = limits ? number_range(*limits, degrees, axis) : DegreeRange{};
+    if (ImGui::SliderFloat(labels[axis], &value, static_cast<float>(range.low), static_cast<float>(range.high),
+                           "%.1f deg", limits ? ImGuiSliderFlags_AlwaysClamp : ImGuiSliderFlags_None)) {
       degrees[axis] = value;
       ask("turn ", "turn " + state.joint,
           [&](Character& changed) { set_joint_degrees(changed, state.joint, frame, degrees); });
@@ -53,37 +55,13 @@ void draw_sliders(const Document& document, ViewState& state) {
 
 }  // namespace
 
-std::vector<ListedJoint> listed_joints(const StagedCharacter& character) {
-  const Model& model = *character.model;
-  std::vector<bool> is_joint(model.nodes.size(), false);
-  for (const PaletteSource& entry : character.mesh.palette)
-    if (entry.node >= 0) is_joint[static_cast<std::size_t>(entry.node)] = true;
-  // A joint goes on being called what the scene calls it.
-  std::map<int, std::string> called;
-  for (const auto& [name, track] : character.scene.keys)
-    if (const auto node = find_joint(model, character.humanoid, name)) called[*node] = name;
-  std::vector<int> depth(model.nodes.size(), 0);
-  std::vector<ListedJoint> out;
-  for (const int node : character.order) {
-    const auto n = static_cast<std::size_t>(node);
-    const int parent = model.nodes[n].parent;
-    depth[n] =
-        parent < 0 ? 0 : depth[static_cast<std::size_t>(parent)] + (is_joint[static_cast<std::size_t>(parent)] ? 1 : 0);
-    if (!is_joint[n] || model.nodes[n].name.empty()) continue;
-    ListedJoint joint{model.nodes[n].name, model.nodes[n].name, depth[n]};
-    for (std::size_t bone = 0; bone < character.humanoid.node.size(); ++bone)
-      if (character.humanoid.node[bone] == node) {
-        const std::string humanoid(humanoid_name(static_cast<HumanoidBone>(bone)));
-        if (humanoid != joint.name) joint.shown += "  (" + humanoid + ")";
-      }
-    if (const auto name = called.find(node); name != called.end()) joint.name = name->second;
-    out.push_back(std::move(joint));
-  }
-  return out;
-}
-
 void draw_pose(const Document& document, ViewState& state) {
   const Stage& stage = document.stage();
+  ImGui::Checkbox("rings", &state.gizmo);
+  show_tip("about the chosen joint: drag to turn it, Shift for steps of five degrees");
+  ImGui::SameLine();
+  ImGui::Checkbox("reach", &state.reach);
+  show_tip("handles at wrists and ankles: drag them and the limb follows");
   draw_sliders(document, state);
   ImGui::Separator();
   ImGui::SetNextItemWidth(-1.0f);
@@ -97,6 +75,7 @@ void draw_pose(const Document& document, ViewState& state) {
       const bool moved = stage.characters[c].scene.keys.contains(joint.name);
       const std::string label = std::string(static_cast<std::size_t>(joint.depth), ' ') + joint.shown +
                                 (moved ? " *" : "") + "##" + std::to_string(c) + joint.name;
+      if (chosen && std::exchange(state.show_joint, false)) ImGui::SetScrollHereY();
       if (ImGui::Selectable(label.c_str(), chosen)) {
         state.character = c;
         state.joint = chosen ? "" : joint.name;

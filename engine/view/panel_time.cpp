@@ -70,6 +70,9 @@ void draw_time(const Document& document, ViewState& state) {
   ImGui::SetNextItemWidth(110.0f);
   float speed = static_cast<float>(playback.speed);
   if (ImGui::SliderFloat("speed", &speed, 0.1f, 4.0f, "%.2f x", ImGuiSliderFlags_Logarithmic)) playback.speed = speed;
+  ImGui::SameLine();
+  ImGui::Checkbox("motions", &state.motion.shown);
+  show_tip("M: the motion library, and curves of joints' angles");
 
   if (state.is_error)
     ImGui::TextColored({1.0f, 0.55f, 0.45f, 1.0f}, "%s", state.message.c_str());

@@ -2,23 +2,36 @@
 /// The viewer's panels, over the picture. They read and change a ViewState; what they ask for is carried out after the
 /// frame.
 
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/gpu/device.h"
 #include "engine/view/document.h"
+#include "engine/view/face_picture.h"
+#include "engine/view/interface_changes.h"
+#include "engine/view/listed_joints.h"
+#include "engine/view/motion_panel.h"
 #include "engine/view/playback.h"
+#include "engine/view/window_picture.h"
 
 namespace sinew {
 
 /// What the panels show and what the user did in them.
 struct ViewState {
   Playback playback;
-  std::string joint;          ///< ListedJoint::name of the joint that is chosen; empty: none
-  std::size_t character = 0;  ///< whose
-  std::string filter;         ///< joints whose names hold this
-  bool panels = true;         ///< shown; Tab hides them
+  std::string joint;                        ///< ListedJoint::name of the joint that is chosen; empty: none
+  std::size_t character = 0;                ///< whose
+  bool show_joint = false;                  ///< the list is to scroll to it: it was chosen in the picture
+  bool gizmo = true;                        ///< the chosen joint has rings that turn it
+  bool reach = false;                       ///< hands and feet have handles
+  ViewExtras extras;                        ///< of the picture
+  std::optional<MuscleNumber> kept_muscle;  ///< whose region stays shown
+  std::array<std::string, 2> compared;      ///< names of a comparison's sides; empty: the scene compares nothing
+  std::string filter;                       ///< joints whose names hold this
+  bool panels = true;                       ///< shown; Tab hides them
   bool help = false;
   std::string file;     ///< what is open
   std::string save_as;  ///< name in the save field
@@ -26,7 +39,28 @@ struct ViewState {
   bool is_error = false;
   std::string device;  ///< name, and that it is a CPU
   double frames_a_second = 0.0;
-  std::vector<CharacterState> states;  ///< [characters] of the frame that is shown
+  std::vector<CharacterState> states;     ///< [characters] of the frame that is shown
+  const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
+  std::vector<DockedPanel> docked;        ///< that were drawn
+  MotionPanel motion;
+
+  // Files: viewer_files.cpp.
+  std::filesystem::path folder;     ///< where a file was last opened or saved
+  std::vector<std::string> recent;  ///< files, the last opened first
+  std::string open_field;           ///< name in the open field
+  bool changed_on_disk = false;     ///< the scene's file is newer than the edits that are shown
+  std::string film;                 ///< name in the record field
+  std::optional<double> recorded;   ///< share of the film that is being recorded
+  bool reload = false, record = false, stop_recording = false, toggle_projection = false;
+
+  /// A handle of the face that is being dragged, and all as it was before.
+  struct FaceDrag {
+    FaceHandle handle;
+    ShownFace face;
+    Scene scene;
+    Vec2 from{0.0};  ///< of the pointer, pixels
+  };
+  std::optional<FaceDrag> face_drag;
 
   /// An edit of the scene that a panel made.
   struct Edit {
@@ -51,13 +85,5 @@ void set_style();
 
 /// Draws all panels for this frame.
 void draw_panels(const Document& document, ViewState& state);
-
-/// Joints of a character in the order of its hierarchy, with how deep each lies.
-struct ListedJoint {
-  std::string name;   ///< what the scene's keys call it, else the node's name
-  std::string shown;  ///< the node's name, the humanoid name beside it where it has one
-  int depth = 0;
-};
-std::vector<ListedJoint> listed_joints(const StagedCharacter& character);
 
 }  // namespace sinew

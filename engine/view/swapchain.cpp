@@ -20,12 +20,12 @@ vk::PresentModeKHR choose_mode(const std::vector<vk::PresentModeKHR>& modes, boo
   return vk::PresentModeKHR::eFifo;
 }
 
-vk::raii::RenderPass make_render_pass(const VulkanDevice& vulkan, vk::Format format) {
+/// Draws over what an image in the layout eColorAttachmentOptimal holds.
+vk::raii::RenderPass make_render_pass(const VulkanDevice& vulkan, vk::Format format, vk::ImageLayout after) {
   using Layout = vk::ImageLayout;
   const vk::AttachmentDescription colour({}, format, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eLoad,
                                          vk::AttachmentStoreOp::eStore, vk::AttachmentLoadOp::eDontCare,
-                                         vk::AttachmentStoreOp::eDontCare, Layout::eColorAttachmentOptimal,
-                                         Layout::ePresentSrcKHR);
+                                         vk::AttachmentStoreOp::eDontCare, Layout::eColorAttachmentOptimal, after);
   const vk::AttachmentReference reference(0, Layout::eColorAttachmentOptimal);
   const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, {}, reference);
   return {vulkan.device, vk::RenderPassCreateInfo({}, colour, subpass)};
@@ -39,21 +39,37 @@ void change_layout(const vk::raii::CommandBuffer& commands, vk::Image image, vk:
   commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
 }
 
+constexpr vk::PipelineStageFlags2 copying = vk::PipelineStageFlagBits2::eCopy | vk::PipelineStageFlagBits2::eBlit;
+constexpr vk::PipelineStageFlags2 drawing = vk::PipelineStageFlagBits2::eColorAttachmentOutput;
+constexpr vk::AccessFlags2 drawn =
+    vk::AccessFlagBits2::eColorAttachmentRead | vk::AccessFlagBits2::eColorAttachmentWrite;
+const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
+
+/// From being copied to to being drawn to.
+void make_drawable(const vk::raii::CommandBuffer& commands, vk::Image image) {
+  change_layout(commands, image, copying, vk::AccessFlagBits2::eTransferWrite, drawing, drawn,
+                vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eColorAttachmentOptimal);
+}
+
 /// Copies the picture as it is, whatever the order of the channels.
-void record_picture(const vk::raii::CommandBuffer& commands, vk::Image picture, vk::Image to, vk::Extent2D extent) {
-  using Stage = vk::PipelineStageFlagBits2;
-  using Access = vk::AccessFlagBits2;
+void record_picture(const vk::raii::CommandBuffer& commands, const WindowContent& content, vk::Image to,
+                    vk::Format format, vk::Extent2D extent) {
   using Layout = vk::ImageLayout;
-  change_layout(commands, to, Stage::eColorAttachmentOutput, Access::eNone, Stage::eBlit, Access::eTransferWrite,
+  change_layout(commands, to, drawing, vk::AccessFlagBits2::eNone, copying, vk::AccessFlagBits2::eTransferWrite,
                 Layout::eUndefined, Layout::eTransferDstOptimal);
-  const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
-  const vk::Offset3D end(static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height), 1);
-  const std::array<vk::Offset3D, 2> whole{vk::Offset3D(0, 0, 0), end};
-  commands.blitImage(picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
-                     vk::ImageBlit(layers, whole, layers, whole), vk::Filter::eNearest);
-  change_layout(commands, to, Stage::eBlit, Access::eTransferWrite, Stage::eColorAttachmentOutput,
-                Access::eColorAttachmentRead | Access::eColorAttachmentWrite, Layout::eTransferDstOptimal,
-                Layout::eColorAttachmentOptimal);
+  if (content.format == format) {
+    commands.copyImage(
+        content.picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
+        vk::ImageCopy(layers, {}, layers, {},
+                      {std::min(extent.width, content.size.width), std::min(extent.height, content.size.height), 1}));
+    return;
+  }
+  const auto whole = [](const vk::Extent2D& size) {
+    const vk::Offset3D end(static_cast<int32_t>(size.width), static_cast<int32_t>(size.height), 1);
+    return std::array<vk::Offset3D, 2>{vk::Offset3D(0, 0, 0), end};
+  };
+  commands.blitImage(content.picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
+                     vk::ImageBlit(layers, whole(content.size), layers, whole(extent)), vk::Filter::eNearest);
 }
 
 }  // namespace
@@ -63,7 +79,8 @@ Swapchain::Swapchain(VulkanDevice& vulkan, vk::SurfaceKHR surface, bool uncapped
   const vk::SurfaceFormatKHR format = choose_format(vulkan.physical.getSurfaceFormatsKHR(surface));
   format_ = format.format;
   space_ = format.colorSpace;
-  render_pass_ = make_render_pass(vulkan, format_);
+  render_pass_ = make_render_pass(vulkan, format_, vk::ImageLayout::ePresentSrcKHR);
+  inner_render_pass_ = make_render_pass(vulkan, format_, vk::ImageLayout::eColorAttachmentOptimal);
   acquired_ = vk::raii::Semaphore(vulkan.device, vk::SemaphoreCreateInfo());
   done_ = vk::raii::Fence(vulkan.device, vk::FenceCreateInfo());
 }
@@ -109,10 +126,66 @@ void Swapchain::create(vk::Extent2D extent) {
         vulkan_.device, vk::FramebufferCreateInfo({}, *render_pass_, *views_.back(), extent.width, extent.height, 1));
     drawn_.emplace_back(vulkan_.device, vk::SemaphoreCreateInfo());
   }
+  using Usage = vk::ImageUsageFlagBits;
+  kept_ = vulkan_.create_image(
+      vk::ImageCreateInfo({}, vk::ImageType::e2D, format_, vk::Extent3D(extent, 1), 1, 1, vk::SampleCountFlagBits::e1,
+                          vk::ImageTiling::eOptimal, Usage::eColorAttachment | Usage::eTransferSrc),
+      vk::ImageAspectFlagBits::eColor);
+  kept_framebuffer_ = vk::raii::Framebuffer(
+      vulkan_.device, vk::FramebufferCreateInfo({}, *inner_render_pass_, *kept_.view, extent.width, extent.height, 1));
+  vulkan_.run([&](vk::raii::CommandBuffer& commands) {
+    change_layout(commands, *kept_.image, drawing, {}, copying, vk::AccessFlagBits2::eTransferRead,
+                  vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferSrcOptimal);
+  });
+  ++generation_;
   extent_ = extent;
 }
 
-void Swapchain::show(vk::Image picture, const std::function<void(const vk::raii::CommandBuffer&)>& record) {
+void Swapchain::record_interface(const vk::raii::CommandBuffer& commands, const vk::raii::RenderPass& pass,
+                                 const vk::raii::Framebuffer& framebuffer, const WindowContent::Draw& draw) const {
+  commands.beginRenderPass(vk::RenderPassBeginInfo(*pass, *framebuffer, {{0, 0}, extent_}),
+                           vk::SubpassContents::eInline);
+  if (draw) draw(commands);
+  commands.endRenderPass();
+}
+
+void Swapchain::record(const vk::raii::CommandBuffer& commands, const WindowContent& content,
+                       std::uint32_t index) const {
+  using Layout = vk::ImageLayout;
+  using Access = vk::AccessFlagBits2;
+  const vk::Image image = images_[index];
+  if (std::ranges::any_of(content.panels, [](const auto& panel) { return bool(panel.redraw); })) {
+    change_layout(commands, *kept_.image, copying, Access::eNone, drawing, drawn, Layout::eTransferSrcOptimal,
+                  Layout::eColorAttachmentOptimal);
+    record_interface(commands, inner_render_pass_, kept_framebuffer_, [&](const vk::raii::CommandBuffer& drawn_to) {
+      for (const WindowContent::Panel& panel : content.panels)
+        if (panel.redraw) panel.redraw(drawn_to);
+    });
+    change_layout(commands, *kept_.image, drawing, Access::eColorAttachmentWrite, copying, Access::eTransferRead,
+                  Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
+  }
+  record_picture(commands, content, image, format_, extent_);
+  if (content.under) {
+    make_drawable(commands, image);
+    record_interface(commands, inner_render_pass_, framebuffers_[index], content.under);
+    change_layout(commands, image, drawing, Access::eColorAttachmentWrite, copying, Access::eTransferWrite,
+                  Layout::eColorAttachmentOptimal, Layout::eTransferDstOptimal);
+  } else if (!content.panels.empty()) {
+    const vk::MemoryBarrier2 copied(copying, Access::eTransferWrite, copying, Access::eTransferWrite);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, copied));
+  }
+  std::vector<vk::ImageCopy> copies;
+  for (const WindowContent::Panel& panel : content.panels) {
+    const vk::Offset3D at(panel.place.offset, 0);
+    copies.emplace_back(layers, at, layers, at, vk::Extent3D(panel.place.extent, 1));
+  }
+  if (!copies.empty())
+    commands.copyImage(*kept_.image, Layout::eTransferSrcOptimal, image, Layout::eTransferDstOptimal, copies);
+  make_drawable(commands, image);
+  record_interface(commands, render_pass_, framebuffers_[index], content.over);
+}
+
+void Swapchain::show(const WindowContent& content) {
   constexpr std::uint64_t forever = ~0ull;
   if (extent_ == vk::Extent2D()) return;
   std::uint32_t index = 0;
@@ -123,13 +196,10 @@ void Swapchain::show(vk::Image picture, const std::function<void(const vk::raii:
     return;
   }
   vk::raii::CommandBuffer commands = vulkan_.begin_commands();
-  record_picture(commands, picture, images_[index], extent_);
-  commands.beginRenderPass(vk::RenderPassBeginInfo(*render_pass_, *framebuffers_[index], {{0, 0}, extent_}),
-                           vk::SubpassContents::eInline);
-  record(commands);
-  commands.endRenderPass();
+  record(commands, content, index);
   commands.end();
-  const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;
+  const vk::PipelineStageFlags stage =
+      vk::PipelineStageFlagBits::eColorAttachmentOutput | vk::PipelineStageFlagBits::eTransfer;
   vulkan_.queue.submit(vk::SubmitInfo(*acquired_, stage, *commands, *drawn_[index]), *done_);
   if (vulkan_.device.waitForFences(*done_, true, forever) != vk::Result::eSuccess)
     throw vk::DeviceLostError("a frame was never done");

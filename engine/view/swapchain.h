@@ -7,6 +7,24 @@
 
 namespace sinew {
 
+/// What a window shows: a picture, and the interface over it.
+struct WindowContent {
+  using Draw = std::function<void(const vk::raii::CommandBuffer&)>;
+
+  vk::Image picture;  ///< in the layout eTransferSrcOptimal
+  vk::Extent2D size;  ///< its own, the window's unless that has just changed
+  vk::Format format = vk::Format::eUndefined;
+  Draw under;  ///< what the panels cover; empty: nothing
+
+  /// A part of the window whose pixels are kept.
+  struct Panel {
+    vk::Rect2D place;
+    Draw redraw;  ///< draws all that has changed; empty: nothing has
+  };
+  std::vector<Panel> panels;
+  Draw over;
+};
+
 class Swapchain {
  public:
   /// `uncapped`: shows pictures as fast as they come. Throws vk::SystemError, as all members do.
@@ -17,12 +35,17 @@ class Swapchain {
   std::uint32_t images() const { return static_cast<std::uint32_t>(images_.size()); }
   VkRenderPass render_pass() const { return static_cast<VkRenderPass>(*render_pass_); }
 
-  /// Shows a picture, in the layout eTransferSrcOptimal and of the same size, with what `record` draws over it. Images
-  /// that no longer fit the window are made anew at the next resize(), and nothing is shown until then.
-  void show(vk::Image picture, const std::function<void(const vk::raii::CommandBuffer&)>& record);
+  /// Counts how often the images, and what is kept of the panels, were made anew.
+  int generation() const { return generation_; }
+
+  /// Images that no longer fit the window are made anew at the next resize(), and nothing is shown until then.
+  void show(const WindowContent& content);
 
  private:
   void create(vk::Extent2D extent);
+  void record(const vk::raii::CommandBuffer& commands, const WindowContent& content, std::uint32_t index) const;
+  void record_interface(const vk::raii::CommandBuffer& commands, const vk::raii::RenderPass& pass,
+                        const vk::raii::Framebuffer& framebuffer, const WindowContent::Draw& draw) const;
 
   VulkanDevice& vulkan_;
   vk::SurfaceKHR surface_;
@@ -30,12 +53,16 @@ class Swapchain {
   vk::Extent2D extent_;
   vk::Format format_ = vk::Format::eUndefined;
   vk::ColorSpaceKHR space_ = vk::ColorSpaceKHR::eSrgbNonlinear;
-  vk::raii::RenderPass render_pass_ = nullptr;
+  vk::raii::RenderPass render_pass_ = nullptr;        ///< ends ready to be shown
+  vk::raii::RenderPass inner_render_pass_ = nullptr;  ///< ends ready to be copied
   vk::raii::SwapchainKHR chain_ = nullptr;
   std::vector<vk::Image> images_;
   std::vector<vk::raii::ImageView> views_;
   std::vector<vk::raii::Framebuffer> framebuffers_;
   std::vector<vk::raii::Semaphore> drawn_;  ///< [images]
+  DeviceImage kept_;                        ///< the panels' pixels, in the layout eTransferSrcOptimal between frames
+  vk::raii::Framebuffer kept_framebuffer_ = nullptr;
+  int generation_ = 0;
   vk::raii::Semaphore acquired_ = nullptr;
   vk::raii::Fence done_ = nullptr;
 };

@@ -1,17 +1,11 @@
 #include "engine/view/viewer.h"
 
 #include <chrono>
-#include <cmath>
-#include <future>
 
-#include <imgui.h>
-
-#include "engine/core/files.h"
 #include "engine/core/interrupt.h"
-#include "engine/io/png.h"
+#include "engine/model/scene_words.h"
 #include "engine/render/text.h"
-#include "engine/view/orbit_camera.h"
-#include "engine/view/panels.h"
+#include "engine/view/viewer_session.h"
 
 namespace sinew {
 namespace {
@@ -21,74 +15,32 @@ using Clock = std::chrono::steady_clock;
 /// The interface needs some frames after the last event to come to rest.
 constexpr int frames_to_rest = 3;
 constexpr double capped_seconds = 1.0 / 60.0;
+/// Before a measured run: devices make shaders ready when they first draw.
+constexpr int warming_frames = 3;
+/// Between two looks at what runs beside the window; and, where nothing does, at the file that is shown.
+constexpr double progress_seconds = 0.05, idle_seconds = 0.5;
 
-class Viewer {
- public:
-  Viewer(Device& device, const ViewerOptions& options) : device_(device), options_(options) {
-    state_.device = device.info().name + (device.info().cpu ? " (a CPU)" : "");
-    state_.save_as = "scene.json";
-  }
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::ranges::sort(values);
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
 
-  Result<void> open(const SceneOptions& scene, std::vector<std::string>& problems);
-  Result<ViewerReport> run(Window& window);
+}  // namespace
 
- private:
-  Result<void> show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems);
-
-  /// Everything of one opened scene; the maker points into the document, so they stay and go together.
-  struct Shown {
-    Document document;
-    std::optional<FrameMaker> maker;
-    explicit Shown(Document opened) : document(std::move(opened)) {}
-  };
-
-  Document& document() { return shown_->document; }
-  FrameMaker& maker() { return *shown_->maker; }
-  double aspect() const { return double(size_.width) / std::max(1, size_.height); }
-
-  Result<void> make_pictures(Shown& shown, std::vector<std::string>& problems);
-  Result<void> follow(Touched what);
-  void take_pointer();
-  void take_keys(Window& window);
-  void take_key(const KeyPress& press, Window& window);
-  void take_requests(Window& window);
-  void take_edit(const Result<Touched>& done, const std::string& said);
-  void look_from(const OrbitCamera& camera);
-  void choose_view(View view);
-  void take_photo();
-  void open_beside(const std::string& file);
-  void take_opened();
-  void say(std::string message, bool is_error = false) {
-    state_.message = std::move(message);
-    state_.is_error = is_error;
-    stale_ = true;
-  }
-  void say(const Error& error) { say(error.message, true); }
-  Result<void> show_frame(Window& window);
-
-  Device& device_;
-  ViewerOptions options_;
-  ViewState state_;
-  PictureSize size_;
-  std::unique_ptr<Shown> shown_;
-  std::future<Result<Stage>> opening_;
-  SceneOptions opening_options_;
-  bool bounds_stale_ = false;  ///< the maker's bounds are those before the last poses
-  bool stale_ = true;          ///< the picture is not that of the document any more
-  int drawn_frame_ = -1;
-};
-
-Result<void> Viewer::make_pictures(Shown& shown, std::vector<std::string>& problems) {
+Result<void> ViewerSession::make_pictures(Shown& shown, std::vector<std::string>& problems) {
   LookOptions look = options_.look;
   look.size = size_;
+  look.for_window = true;
   // What the scene says is edited here; only what it cannot say comes from the command line.
-  auto made = FrameMaker::create(device_, shown.document.stage(), shown.document.options(), look, problems);
+  auto made = WindowPicture::create(device_, shown.document, look, problems);
   if (!made) return pass_on(std::move(made));
-  shown.maker.emplace(std::move(*made));
+  shown.picture.emplace(std::move(*made));
+  state_.compared = {shown.picture->left_label(), shown.picture->right_label()};
   return {};
 }
 
-Result<void> Viewer::open(const SceneOptions& scene, std::vector<std::string>& problems) {
+Result<void> ViewerSession::open(const SceneOptions& scene, std::vector<std::string>& problems) {
   size_ = options_.look.size;
   auto stage = open_stage(scene);
   if (!stage) return pass_on(std::move(stage));
@@ -96,15 +48,21 @@ Result<void> Viewer::open(const SceneOptions& scene, std::vector<std::string>& p
   return show_stage(std::move(*stage), scene, problems);
 }
 
-Result<void> Viewer::show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems) {
+Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems) {
   auto document = Document::create(std::move(stage), scene);
   if (!document) return pass_on(std::move(document));
   auto shown = std::make_unique<Shown>(std::move(*document));
   if (auto ok = make_pictures(*shown, problems); !ok) return ok;
+  heads_.drop();
   shown_ = std::move(shown);
   state_.file = scene.scene.empty() ? "the embedded scene" : scene.scene;
   const bool is_scene_file = std::filesystem::path(scene.scene).extension() == ".json";
   state_.save_as = is_scene_file ? scene.scene : "scene.json";
+  state_.film = std::filesystem::path(state_.save_as).replace_extension(".mp4").string();
+  disk_.watch(is_scene_file ? scene.scene : "");
+  state_.changed_on_disk = false;
+  camera_in_file_ = this->document().scene().camera;
+  if (!scene.scene.empty() && !is_built_in_model(scene.scene)) remember(scene.scene);
   state_.joint.clear();
   state_.character = 0;
   state_.playback = {};
@@ -114,7 +72,7 @@ Result<void> Viewer::show_stage(Stage stage, const SceneOptions& scene, std::vec
   return {};
 }
 
-Result<void> Viewer::follow(Touched what) {
+Result<void> ViewerSession::follow(Touched what) {
   stale_ = true;
   state_.playback.set_range(document().stage().range);
   if (what == Touched::poses) bounds_stale_ = true;
@@ -124,204 +82,10 @@ Result<void> Viewer::follow(Touched what) {
   return make_pictures(*shown_, problems);
 }
 
-void Viewer::look_from(const OrbitCamera& camera) {
-  document().move_camera(camera.camera());
-  stale_ = true;
-}
-
-void Viewer::choose_view(View view) {
-  Camera camera;
-  camera.view = view;
-  document().move_camera(camera);
-  stale_ = true;
-}
-
-void Viewer::take_pointer() {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantCaptureMouse) return;
-  const double height = std::max(1.0f, io.DisplaySize.y);
-  OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
-  const double across = io.MouseDelta.x / height, down = io.MouseDelta.y / height;
-  bool moved = io.MouseWheel != 0.0f;
-  if (moved) camera.zoom(io.MouseWheel);
-  if (across != 0.0 || down != 0.0) {
-    const bool pans = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
-                      (ImGui::IsMouseDown(ImGuiMouseButton_Left) && io.KeyShift);
-    if (pans) {
-      camera.pan(across, down);
-      moved = true;
-    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-      camera.orbit(across, down);
-      moved = true;
-    }
-  }
-  if (moved) look_from(camera);
-}
-
-void Viewer::take_keys(Window& window) {
-  for (const KeyPress& press : window.take_key_presses()) take_key(press, window);
-}
-
-void Viewer::take_key(const KeyPress& press, Window& window) {
-  Playback& playback = state_.playback;
-  const int steps = press.shift ? 10 : 1;
-  const auto go_to = [&](int frame) {
-    playback.go_to(frame);
-    playback.playing = false;
-  };
-  // Held keys step; everything else happens once.
-  if (press.key == KeyboardKey::left) return go_to(playback.shown() - steps);
-  if (press.key == KeyboardKey::right) return go_to(playback.shown() + steps);
-  if (press.again) return;
-  switch (press.key) {
-    case KeyboardKey::f:
-      state_.frame_all = true;
-      break;
-    case KeyboardKey::k:
-      if (state_.joint.empty()) break;
-      {
-        Scene scene = document().scene();
-        add_joint_key(scene.characters[state_.character], state_.joint, playback.shown());
-        state_.ask(scene, "key for " + state_.joint);
-      }
-      break;
-    case KeyboardKey::p:
-      state_.screenshot = true;
-      break;
-    case KeyboardKey::q:
-      if (press.control) window.close();
-      break;
-    case KeyboardKey::s:
-      state_.save = state_.save || press.control;
-      break;
-    case KeyboardKey::y:
-      state_.redo = state_.redo || press.control;
-      break;
-    case KeyboardKey::z:
-      if (press.control) (press.shift ? state_.redo : state_.undo) = true;
-      break;
-    case KeyboardKey::one:
-      state_.view = press.control ? View::back : View::front;
-      break;
-    case KeyboardKey::three:
-      state_.view = press.control ? View::right : View::left;
-      break;
-    case KeyboardKey::five:
-      state_.view = View::three_quarter;
-      break;
-    case KeyboardKey::seven:
-      state_.view = View::top;
-      break;
-    case KeyboardKey::space:
-      playback.playing = !playback.playing;
-      break;
-    case KeyboardKey::tab:
-      state_.panels = !state_.panels;
-      break;
-    case KeyboardKey::home:
-      go_to(playback.range.first);
-      break;
-    case KeyboardKey::end:
-      go_to(playback.range.last);
-      break;
-    case KeyboardKey::help:
-      state_.help = !state_.help;
-      break;
-    case KeyboardKey::left:
-    case KeyboardKey::right:
-      break;
-  }
-}
-
-void Viewer::take_edit(const Result<Touched>& done, const std::string& said) {
-  if (!done) return say(done.error());
-  if (auto ok = follow(*done); !ok) return say(ok.error());
-  say(said);
-}
-
-void Viewer::take_photo() {
-  const int frame = state_.playback.shown();
-  auto picture = maker().picture(frame);
-  if (!picture) return say(picture.error());
-  const std::filesystem::path scene = state_.save_as;
-  const std::filesystem::path file = scene.parent_path() / fmt::format("{}_{:04}.png", scene.stem().string(), frame);
-  const auto png = encode_png(picture->rgba, picture->width, picture->height, {}, false);
-  if (!png) return say(png.error());
-  if (auto ok = write_file(file, *png); !ok) return say(ok.error());
-  say(file.string() + " written");
-}
-
-void Viewer::open_beside(const std::string& file) {
-  if (opening_.valid()) return say("still opening another file");
-  opening_options_ = options_.scene;
-  opening_options_.scene = file;
-  opening_options_.poses.clear();
-  opening_options_.clip.reset();
-  opening_ = std::async(std::launch::async, [options = opening_options_] { return open_stage(options); });
-  say("opening " + file + " ...");
-}
-
-void Viewer::take_opened() {
-  if (!opening_.valid() || opening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  auto stage = opening_.get();
-  if (!stage) return say(stage.error());
-  std::vector<std::string> problems = stage->problems;
-  if (auto ok = show_stage(std::move(*stage), opening_options_, problems); !ok) return say(ok.error());
-  say(problems.empty() ? state_.file + " opened" : problems.front(), false);
-}
-
-void Viewer::take_requests(Window& window) {
-  for (const auto& file : window.take_dropped_files()) open_beside(file.string());
-  take_opened();
-  if (const auto edit = std::exchange(state_.edit, std::nullopt)) {
-    auto done = document().edit(edit->scene, edit->label, edit->merge);
-    take_edit(done, edit->label);
-  }
-  const bool ended = std::exchange(state_.edit_ended, false);
-  if (ended) document().seal();
-  if (std::exchange(state_.undo, false) && document().can_undo()) {
-    const std::string label = document().undo_label();
-    take_edit(document().undo(), "undone: " + label);
-  }
-  if (std::exchange(state_.redo, false) && document().can_redo()) {
-    const std::string label = document().redo_label();
-    take_edit(document().redo(), "done again: " + label);
-  }
-  if (const auto options = std::exchange(state_.options, std::nullopt)) {
-    document().set_options(options->deformer, options->bulge, options->strength);
-    take_edit(Touched::all, "deformer");
-  }
-  // The box of all frames takes long to find: not while a slider is being dragged.
-  if (bounds_stale_ && (ended || !document().is_merging())) {
-    maker().follow_stage();
-    bounds_stale_ = false;
-    stale_ = true;
-  }
-  if (const auto view = std::exchange(state_.view, std::nullopt)) choose_view(*view);
-  if (std::exchange(state_.frame_all, false)) {
-    OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
-    camera.frame(maker().bounds(), aspect());
-    look_from(camera);
-  }
-  if (std::exchange(state_.save, false)) {
-    if (auto ok = document().save(state_.save_as); !ok)
-      say(ok.error());
-    else
-      say(state_.save_as + " written");
-  }
-  if (std::exchange(state_.screenshot, false)) take_photo();
-  if (std::exchange(state_.copy_command, false)) {
-    const std::string command =
-        render_command(document(), state_.save_as, state_.playback.shown(), size_.width, size_.height);
-    window.set_clipboard(command);
-    say((document().is_changed() ? "save first, then: " : "copied: ") + command);
-  }
-}
-
-Result<void> Viewer::show_frame(Window& window) {
+Result<void> ViewerSession::show_frame(Window& window) {
   const PictureSize size = window.size();
   if (size.width > 0 && size.height > 0 && (size.width != size_.width || size.height != size_.height)) {
-    if (auto ok = maker().resize(size); !ok) return ok;
+    if (auto ok = shown_->picture->resize(size); !ok) return ok;
     size_ = size;
     stale_ = true;
   }
@@ -329,37 +93,41 @@ Result<void> Viewer::show_frame(Window& window) {
   take_pointer();
   take_keys(window);
   draw_panels(document(), state_);
+  if (window.has_finer_pixels()) state_.docked.clear();
   take_requests(window);
   const int frame = state_.playback.shown();
-  if (stale_ || frame != drawn_frame_) {
+  const PixelBox free = uncovered(size_.width, size_.height, state_.docked);
+  const PictureArea seen{free.left, free.top, free.right - free.left, free.bottom - free.top};
+  // A measured run draws what it shows, every time.
+  if (stale_ || frame != drawn_frame_ || seen != drawn_area_ || !(state_.extras == drawn_extras_) ||
+      options_.frames > 0) {
     state_.states = maker().pose(frame);
-    if (auto ok = maker().draw_for_window(frame, state_.states); !ok) return ok;
+    if (auto ok = shown_->picture->draw(frame, state_.states, state_.extras, seen); !ok) return ok;
     drawn_frame_ = frame;
+    drawn_extras_ = state_.extras;
+    drawn_area_ = seen;
     stale_ = false;
   }
-  return window.show(maker().renderer());
+  return window.show(maker().renderer(), state_.docked);
 }
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-Result<ViewerReport> Viewer::run(Window& window) {
+Result<ViewerReport> ViewerSession::run(Window& window) {
   set_style();
   ViewerReport report;
   std::vector<double> times;
-  const Clock::time_point begun = Clock::now();
-  Clock::time_point last = begun;
+  Clock::time_point begun = Clock::now(), last = begun;
   int to_rest = frames_to_rest;
   const bool measured = options_.frames > 0;
   if (measured) state_.playback.playing = true;
+  for (int i = 0; measured && i < warming_frames; ++i)
+    if (auto ok = show_frame(window); !ok) return pass_on(std::move(ok));
+  begun = last = Clock::now();
   while (!window.is_closing() && (!measured || report.frames < options_.frames)) {
-    const bool moving = state_.playback.playing || opening_.valid() || measured;
-    window.take_events(!moving && to_rest <= 0);
+    const bool moving = state_.playback.playing || measured, works = works_beside();
+    window.take_events(!moving && to_rest <= 0, works ? progress_seconds : idle_seconds);
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
     if (window.had_events()) to_rest = frames_to_rest;
+    if (works || follow_disk()) to_rest = std::max(to_rest, 1);
     if (!moving && to_rest-- <= 0) {
       last = Clock::now();
       continue;
@@ -383,6 +151,7 @@ Result<ViewerReport> Viewer::run(Window& window) {
     state_.playback.advance(measured ? 1.0 / document().scene().fps : std::min(seconds, 0.25), document().scene().fps);
     ++report.frames;
   }
+  if (!measured) keep_preferences(window);
   report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   report.median_ms = percentile(times, 0.5);
   report.p95_ms = percentile(std::move(times), 0.95);
@@ -390,17 +159,31 @@ Result<ViewerReport> Viewer::run(Window& window) {
   return report;
 }
 
-}  // namespace
-
-Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOptions& options) {
-  Viewer viewer(device, options);
+Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOptions& asked) {
+  ViewerOptions options = asked;
   std::vector<std::string> problems;
-  if (auto ok = viewer.open(options.scene, problems); !ok) return pass_on(std::move(ok));
+  Preferences preferences;
+  std::filesystem::path file;
+  // A measured run is the same on every machine.
+  if (options.frames == 0) {
+    auto kept = load_preferences(preferences_file());
+    if (kept) {
+      preferences = std::move(*kept);
+      file = preferences_file();
+    } else {
+      problems.push_back(kept.error().message + "; it is left as it is, and the usual settings are used");
+    }
+    if (!options.size_given) options.look.size = preferences.window;
+  }
+  ViewerSession session(device, options);
+  session.go_on_from(preferences, file);
+  if (auto ok = session.open(options.scene, problems); !ok) return pass_on(std::move(ok));
+  if (!problems.empty()) session.tell(problems.front());
   WindowOptions wanted{.size = options.look.size, .uncapped = options.uncapped};
   if (const auto font = Font::find_file()) wanted.font = font->string();
   auto window = Window::create(system, device, wanted);
   if (!window) return pass_on(std::move(window));
-  auto report = viewer.run(*window);
+  auto report = session.run(*window);
   if (report) report->problems = std::move(problems);
   return report;
 }

@@ -12,6 +12,8 @@ struct ViewerOptions {
   LookOptions look;  ///< its size is the window's
   int frames = 0;    ///< shows so many frames and ends; 0: until the window is closed
   bool uncapped = false;
+  bool size_given = false;  ///< else the window is as large as it was last
+  DeviceOptions device;     ///< of the devices that record films beside the window
 };
 
 struct ViewerReport {

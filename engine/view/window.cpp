@@ -10,12 +10,15 @@
 
 #include "engine/gpu/vulkan.h"
 #include "engine/render/renderer_image.h"
+#include "engine/view/kept_panels.h"
 #include "engine/view/swapchain.h"
 
 namespace sinew {
 namespace {
 
 constexpr float font_size = 15.0f;
+/// Parts of the interface that are drawn by themselves in one frame: their buffers are used in turn.
+constexpr std::uint32_t most_interface_draws = 16;
 
 std::string last_glfw_error() {
   const char* text = nullptr;
@@ -29,10 +32,14 @@ std::optional<KeyboardKey> key_of(int code, bool shift) {
       return KeyboardKey::f;
     case GLFW_KEY_K:
       return KeyboardKey::k;
+    case GLFW_KEY_M:
+      return KeyboardKey::m;
     case GLFW_KEY_P:
       return KeyboardKey::p;
     case GLFW_KEY_Q:
       return KeyboardKey::q;
+    case GLFW_KEY_R:
+      return KeyboardKey::r;
     case GLFW_KEY_S:
       return KeyboardKey::s;
     case GLFW_KEY_Y:
@@ -51,6 +58,9 @@ std::optional<KeyboardKey> key_of(int code, bool shift) {
     case GLFW_KEY_7:
     case GLFW_KEY_KP_7:
       return KeyboardKey::seven;
+    case GLFW_KEY_9:
+    case GLFW_KEY_KP_9:
+      return KeyboardKey::nine;
     case GLFW_KEY_SPACE:
       return KeyboardKey::space;
     case GLFW_KEY_TAB:
@@ -106,6 +116,7 @@ struct Window::Impl {
   vk::raii::SurfaceKHR surface = nullptr;
   vk::raii::DescriptorPool pool = nullptr;
   std::unique_ptr<Swapchain> swapchain;
+  KeptPanels panels;
 
   ~Impl() {
     if (vulkan && *vulkan->device) vulkan->device.waitIdle();
@@ -145,7 +156,7 @@ void Window::Impl::make_interface(const WindowOptions& options) {
   info.Queue = *vulkan->queue;
   info.DescriptorPool = *pool;
   info.MinImageCount = 2;
-  info.ImageCount = swapchain->images();
+  info.ImageCount = most_interface_draws;
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   ImGui_ImplVulkan_Init(&info, swapchain->render_pass());
   interface_made = true;
@@ -217,6 +228,13 @@ PictureSize Window::size() const {
   return size;
 }
 
+bool Window::has_finer_pixels() const {
+  int width = 0, height = 0;
+  glfwGetWindowSize(impl_->window, &width, &height);
+  const PictureSize pixels = size();
+  return width != pixels.width || height != pixels.height;
+}
+
 double Window::scale() const {
   float across = 1.0f, down = 1.0f;
   glfwGetWindowContentScale(impl_->window, &across, &down);
@@ -246,15 +264,19 @@ void Window::begin_interface() {
   ImGui::NewFrame();
 }
 
-Result<void> Window::show(const Renderer& renderer) {
+Result<void> Window::show(const Renderer& renderer, std::span<const DockedPanel> docked) {
   return vulkan_call("showing the picture", [&] {
     ImGui::Render();
     const PictureSize size = this->size();
     if (size.width == 0 || size.height == 0) return;
     impl_->swapchain->resize(size.width, size.height);
-    impl_->swapchain->show(*picture_image(renderer).image, [](const vk::raii::CommandBuffer& commands) {
-      ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), *commands);
-    });
+    WindowContent content;
+    const Target& picture = picture_target(renderer);
+    content.picture = *picture_image(renderer).image;
+    content.format = picture.colour_format;
+    content.size = vk::Extent2D(picture.width, picture.height);
+    impl_->panels.take(*ImGui::GetDrawData(), docked, size.width, size.height, impl_->swapchain->generation(), content);
+    impl_->swapchain->show(content);
   });
 }
 

@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/app/options.h"
 #include "engine/render/renderer.h"
+#include "engine/view/interface_changes.h"
 
 namespace sinew {
 
@@ -30,7 +32,29 @@ class WindowSystem {
 };
 
 /// Keys by their place on a US keyboard; the number pad's numbers are numbers.
-enum class KeyboardKey { f, k, p, q, s, y, z, one, three, five, seven, space, tab, left, right, home, end, help };
+enum class KeyboardKey {
+  f,
+  k,
+  m,
+  p,
+  q,
+  r,
+  s,
+  y,
+  z,
+  one,
+  three,
+  five,
+  seven,
+  nine,
+  space,
+  tab,
+  left,
+  right,
+  home,
+  end,
+  help
+};
 
 /// A key that went down, or was held long enough to count again.
 struct KeyPress {
@@ -57,6 +81,8 @@ class Window {
   void set_title(const std::string& title);
   /// Pixels of the picture; 0 x 0 while it is minimised.
   PictureSize size() const;
+  /// True where the interface's units are not the picture's pixels: places of panels mean nothing there.
+  bool has_finer_pixels() const;
   /// Of the interface: 2 on a display twice as dense as usual.
   double scale() const;
 
@@ -72,9 +98,9 @@ class Window {
 
   /// Begins the interface of one frame: ImGui's calls go between this and show().
   void begin_interface();
-  /// Shows the renderer's last picture for windows with the interface over it. A window whose size has changed shows
-  /// it at the next call. Fails as device_failed where the device was lost.
-  Result<void> show(const Renderer& renderer);
+  /// Shows the renderer's last picture for windows with the interface over it; `docked`: which panels are. A window
+  /// whose size has changed shows it at the next call. Fails as device_failed where the device was lost.
+  Result<void> show(const Renderer& renderer, std::span<const DockedPanel> docked);
 
  private:
   struct Impl;

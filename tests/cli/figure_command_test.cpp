@@ -1,5 +1,6 @@
 /// `sinew figure` as a user meets it.
 
+#include "tests/support/glb.h"
 #include "tests/support/program.h"
 
 namespace sinew::test {
@@ -94,6 +95,24 @@ TEST_F(FigureCommand, BecomesAVrmFile) {
     EXPECT_EQ(run(arguments).exit_code, 2);
   }
   EXPECT_FALSE(names().contains("x.vrm"));
+}
+
+TEST_F(FigureCommand, WithAHeadHasEveryExpressionOfVrm) {
+  ASSERT_EQ(run({"figure", "--like", "woman", "--head", "adult", "-o", "actor.glb"}).exit_code, 0);
+  ASSERT_EQ(run({"export", "actor.glb", "--rig", "-o", "actor.vrm"}).exit_code, 0);
+  const nlohmann::json gltf = glb_json(read("actor.vrm"));
+  const nlohmann::json& expressions = gltf.at("extensions").at("VRMC_vrm").at("expressions");
+  const nlohmann::json& preset = expressions.at("preset");
+  for (const char* name : {"happy", "angry", "sad", "relaxed", "surprised", "aa", "ih", "ou", "ee", "oh", "blink",
+                           "blinkLeft", "blinkRight", "lookUp", "lookDown", "lookLeft", "lookRight", "neutral"})
+    EXPECT_TRUE(preset.contains(name)) << name;
+  for (const auto& [name, expression] : preset.items())
+    for (const nlohmann::json& bind : expression.at("morphTargetBinds")) {
+      const auto mesh = gltf.at("nodes").at(bind.at("node").get<std::size_t>()).at("mesh").get<std::size_t>();
+      EXPECT_EQ(gltf.at("meshes").at(mesh).at("extras").at("targetNames").at(bind.at("index").get<std::size_t>()), name);
+    }
+  // A laugh opens the mouth for itself: speech beside it would tear the lips.
+  EXPECT_NE(expressions.at("custom").at("laugh").at("overrideMouth"), "none");
 }
 
 TEST_F(FigureCommand, OutputThatCannotBeWrittenIsSaid) {

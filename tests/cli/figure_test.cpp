@@ -55,18 +55,26 @@ TEST_F(Figure, TheWholeHasTheSizeThatWasAskedFor) {
   }
 }
 
-/// The left panel is the plain picture of its size, pixel by pixel, but for the label in its lower left corner.
+/// Each panel is the plain picture of its size, pixel by pixel, but for the label in its lower left corner.
 TEST_F(Figure, PanelsAreThePicturesThatTheyName) {
-  const DecodedPng both = render({"--size", "616x316", "--frame", "47", "--compare", "bulge"});
-  for (const bool left : {true, false}) {
-    const DecodedPng alone = render({"--size", "296x300", "--frame", "47", "--bulge", left ? "on" : "off"});
-    std::size_t same = 0, compared = 0;
-    for (int y = 0; y < 200; ++y)
-      for (int x = 0; x < 296; ++x, ++compared)
-        same += std::equal(&alone.rgba[(y * 296 + x) * 4], &alone.rgba[(y * 296 + x) * 4] + 4,
-                           &both.rgba[((y + 8) * 616 + x + (left ? 8 : 312)) * 4]);
-    EXPECT_EQ(same, compared) << (left ? "left" : "right");
-  }
+  const auto expect_panels = [&](const Arguments& together, const std::array<Arguments, 2>& apart) {
+    Arguments words{"--size", "616x316", "--frame", "47"};
+    words.insert(words.end(), together.begin(), together.end());
+    const DecodedPng both = render(words);
+    for (const int panel : {0, 1}) {
+      words = {"--size", "296x300", "--frame", "47"};
+      words.insert(words.end(), apart[panel].begin(), apart[panel].end());
+      const DecodedPng alone = render(words);
+      std::size_t same = 0, compared = 0;
+      for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 296; ++x, ++compared)
+          same += std::equal(&alone.rgba[(y * 296 + x) * 4], &alone.rgba[(y * 296 + x) * 4] + 4,
+                             &both.rgba[((y + 8) * 616 + x + 8 + 304 * panel) * 4]);
+      EXPECT_EQ(same, compared) << together.back() << ", panel " << panel;
+    }
+  };
+  expect_panels({"--compare", "bulge"}, {{{"--bulge", "on"}, {"--bulge", "off"}}});
+  expect_panels({"--view", "front", "--compare", "left"}, {{{"--view", "front"}, {"--view", "left"}}});
 }
 
 TEST_F(Figure, CompareWithAnotherScene) {

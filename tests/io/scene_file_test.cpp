@@ -43,7 +43,7 @@ const std::string everything = R"({ "sinew": 1, "fps": 29.97, "frames": [10, 10]
       "regions": { "browLeft": [[0, [0.1, 0.2, 10]]], "eyeRight": {"ease": "step", "keys": [[0, [10, -5]]]} },
       "emotion": [[12, "laugh", 1], [40, "fear", 0.25]] },
     { "model": "../models/man.glb", "clip": "none", "motion": "run.bvh", "turn": -45, "position": [1, 2, 3] } ],
-  "camera": { "view": "three-quarter", "orbit": [[0, 0], [47, 360]], "target": [0, 1, 0], "distance": 2.5 },
+  "camera": { "view": "three-quarter", "projection": "orthographic", "orbit": [[0, 0], [47, 360]], "target": [0, 1, 0], "distance": 2.5 },
   "look": { "shading": "weights", "joint": "elbow", "shadows": false, "floor": true,
             "background": "transparent", "overlay": ["muscles", "axes"], "compare": "overlay",
             "compare_as": "inset", "zoom": "biceps_left", "plot": "profile", "sheet": [2, 3],
@@ -131,6 +131,7 @@ TEST(SceneFile, ReadsWhatIsLessUsual) {
   EXPECT_EQ(man.turn, Keyed<double>::constant(-45));
   EXPECT_EQ(scene.library, "/data/motions.db");
   EXPECT_EQ(scene.camera.orbit.value_at(23.5), 180);
+  EXPECT_EQ(scene.camera.projection, Projection::orthographic);
   EXPECT_EQ(scene.look.shading, Shading::weights);
   EXPECT_EQ(scene.look.joint, "elbow");
   EXPECT_FALSE(scene.look.shadows);

@@ -105,6 +105,21 @@ TEST(CurveFit, HoldsJumpsAndFastTurnsByMoreSegments) {
   }
 }
 
+TEST(CurveFit, SmoothsNoJumpAway) {
+  // A capture that begins in a T pose: one frame far from all others.
+  NoisyLaugh laugh(2);
+  laugh.noisy[0] += 80.0;
+  const CurveFit fit = fit_curve(laugh.times, laugh.noisy, options(5));
+  EXPECT_LT(std::abs(fit.curve.value(0.0) - laugh.noisy[0]), 1.0);
+  double squares = 0.0;
+  for (std::size_t i = 1; i < laugh.times.size(); ++i)
+    squares += std::pow(fit.curve.value(laugh.times[i]) - laugh.clean[i], 2);
+  EXPECT_LT(std::sqrt(squares / 119.0), 0.7);
+  expect_smooth(fit.curve, 80.0);
+  EXPECT_TRUE(find_jumps(laugh.clean, 0.1).empty());
+  EXPECT_EQ(find_jumps(laugh.noisy, 0.1), (std::vector<std::size_t>{0}));
+}
+
 TEST(CurveFit, ReproducesAPolynomialOfItsOwnDegree) {
   std::vector<double> times, values;
   for (int i = 0; i < 60; ++i) {

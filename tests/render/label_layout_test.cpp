@@ -39,5 +39,22 @@ TEST(LabelLayout, FarLabelsHaveLeadersThatBeginOutsideTheDot) {
   EXPECT_NEAR(glm::distance(far_label->leader_from, request.anchor), 4.0, 1e-9);
 }
 
+TEST(LabelLayout, SpreadsNeighboursApart) {
+  const std::vector<double> apart{0.0, 10.0, 30.0}, close{0.0, 1.0, 2.0, 50.0};
+  EXPECT_EQ(spread_apart(apart, 10.0), apart);
+  // Three that crowd stand about their mean; the fourth has room.
+  const std::vector<double> spread = spread_apart(close, 10.0);
+  const double expected[] = {-9.0, 1.0, 11.0, 50.0};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(spread[i], expected[i], 1e-12);
+  // Where pools meet they move together: least squares leaves no pull on the whole.
+  const std::vector<double> chained{0.0, 1.0, 12.0};
+  const std::vector<double> moved = spread_apart(chained, 10.0);
+  double pull = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) pull += moved[i] - chained[i];
+  EXPECT_NEAR(pull, 0.0, 1e-12);
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_GE(moved[i] - moved[i - 1], 10.0 - 1e-12);
+  EXPECT_TRUE(spread_apart({}, 10.0).empty());
+}
+
 }  // namespace
 }  // namespace sinew

@@ -1,3 +1,6 @@
+#include <random>
+
+#include "engine/render/frustum.h"
 #include "engine/render/studio.h"
 #include "tests/render/stage_set.h"
 
@@ -104,7 +107,7 @@ TEST(Studio, LightsStandRelativeToTheCamera) {
   Bounds box;
   box.add(Vec3(-1, 0, -1));
   box.add(Vec3(1, 2, 1));
-  const Studio front = make_studio({}, box, 0.0), side = make_studio(turned, box, 0.0);
+  const Studio front = make_studio({}, 1.5, box, 0.0), side = make_studio(turned, 1.5, box, 0.0);
   const glm::dmat3 axes(turned.right, turned.up, turned.back);
   EXPECT_LT(glm::length(side.key - axes * front.key), 1e-12);
   for (const Vec3& direction : {front.key, front.fill, front.rim}) EXPECT_NEAR(glm::length(direction), 1.0, 1e-12);
@@ -114,7 +117,8 @@ TEST(Studio, MapsHoldTheWholeSceneAndTheFloorItsShadow) {
   Bounds box;
   box.add(Vec3(-0.7, 0.1, -0.4));
   box.add(Vec3(0.9, 1.8, 0.5));
-  const Studio studio = make_studio({}, box, 0.1);
+  const Viewpoint camera = frame_box(box, {}, 1.5);
+  const Studio studio = make_studio(camera, 1.5, box, 0.1);
   for (int i = 0; i < 8; ++i) {
     const Vec4 clip = studio.light_projection * Vec4(box.corner(i), 1.0);
     EXPECT_LE(std::max(std::abs(clip.x), std::abs(clip.y)), 1.0);
@@ -124,6 +128,41 @@ TEST(Studio, MapsHoldTheWholeSceneAndTheFloorItsShadow) {
     const Vec3 corner = box.corner(i), fallen = corner - studio.key * ((corner.y - 0.1) / studio.key.y);
     EXPECT_LE(std::abs(fallen.x - studio.floor_centre.x), studio.floor_half_size.x + 1e-9);
     EXPECT_LE(std::abs(fallen.z - studio.floor_centre.z), studio.floor_half_size.y + 1e-9);
+    // The far plane does not cut it off.
+    EXPECT_LT(glm::dot(camera.eye - fallen, camera.back), studio.viewpoint.far_plane);
+  }
+}
+
+TEST(Studio, WhatIsSeenFromNearByHasAFinerMapWithAllThatShadesIt) {
+  Bounds box;
+  box.add(Vec3(-0.9, 0.0, -0.3));
+  box.add(Vec3(0.9, 1.8, 0.3));
+  const Viewpoint whole = frame_box(box, {}, 1.0), near = look_at({0.05, 1.6, 0.1}, 0.6, box, {});
+  const Studio far_off = make_studio(whole, 1.0, box, std::nullopt), close = make_studio(near, 1.0, box, std::nullopt);
+  EXPECT_LT(close.shadow_width, 0.5 * far_off.shadow_width);
+  const Frustum frustum = frustum_of(near, 1.0);
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> x(-0.9, 0.9), y(0.0, 1.8), z(-0.3, 0.3);
+  int seen = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p(x(generator), y(generator), z(generator));
+    bool within = true;
+    for (const Vec4& plane : frustum.planes) within = within && glm::dot(plane, Vec4(p, 1.0)) >= 0.0;
+    if (!within) continue;
+    ++seen;
+    const Vec4 clip = close.light_projection * Vec4(p, 1.0);
+    EXPECT_LE(std::max(std::abs(clip.x), std::abs(clip.y)), 1.0);
+    // What is on the way to the light lies at the same place of the map, and before it.
+    const Vec4 shading = close.light_projection * Vec4(p + 0.1 * close.key, 1.0);
+    EXPECT_NEAR(shading.x, clip.x, 1e-12);
+    EXPECT_NEAR(shading.y, clip.y, 1e-12);
+    EXPECT_LT(shading.z, clip.z);
+  }
+  EXPECT_GT(seen, 300);
+  for (int i = 0; i < 8; ++i) {
+    const double depth = (close.light_projection * Vec4(box.corner(i), 1.0)).z;
+    EXPECT_GE(depth, 0.0);
+    EXPECT_LE(depth, 1.0);
   }
 }
 

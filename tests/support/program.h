@@ -58,6 +58,7 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send(int signal) const;
+  pid_t id() const { return child_; }
   /// Waits for its end, at most until the time limit.
   ProgramResult finish();
 

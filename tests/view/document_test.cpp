@@ -4,19 +4,10 @@
 
 #include "engine/core/files.h"
 #include "engine/io/scene_file.h"
+#include "tests/view/opened_document.h"
 
 namespace sinew::test {
 namespace {
-
-Document opened(const std::string& scene = "builtin:arm") {
-  SceneOptions options;
-  options.scene = scene;
-  auto stage = open_stage(options);
-  EXPECT_TRUE(stage) << stage.error().message;
-  auto document = Document::create(std::move(*stage), options);
-  EXPECT_TRUE(document) << document.error().message;
-  return std::move(*document);
-}
 
 Scene turned(const Document& document, double degrees, double frame = 0.0) {
   Scene scene = document.scene();

@@ -12,7 +12,9 @@ Bounds box() {
   return bounds;
 }
 
-Viewpoint seen(const OrbitCamera& camera) { return look_at(camera.target, camera.distance, box(), camera.direction); }
+Viewpoint seen(const OrbitCamera& camera) {
+  return look_at(camera.target, camera.distance, box(), camera.direction, camera.rays);
+}
 
 /// Where a point is seen, -1 to 1.
 Vec2 on_screen(const OrbitCamera& camera, const Vec3& p) {
@@ -52,6 +54,21 @@ TEST(OrbitCamera, PanKeepsThePointUnderThePointer) {
   EXPECT_NEAR(at.y, -0.2, 1e-12);
 }
 
+TEST(OrbitCamera, ParallelRaysKeepTheTargetsSizeAndWhatIsUnderThePointer) {
+  OrbitCamera camera;
+  camera.direction = {25.0, -10.0};
+  camera.target = {0.2, 1.0, 0.1};
+  camera.distance = 3.0;
+  const Vec3 beside = camera.target + 0.3 * seen(camera).up;  // as far away as the target
+  const Vec2 in_perspective = on_screen(camera, beside);
+  camera.rays = Rays::parallel;
+  EXPECT_LT(glm::distance(on_screen(camera, beside), in_perspective), 1e-12);
+  const Vec3 point = camera.target;
+  camera.pan(0.25, -0.1);
+  EXPECT_NEAR(on_screen(camera, point).x, 0.5, 1e-12);
+  EXPECT_EQ(camera.camera().projection, Projection::orthographic);
+}
+
 TEST(OrbitCamera, ZoomsBySteps) {
   OrbitCamera camera;
   camera.distance = 10.0;
@@ -70,6 +87,7 @@ TEST(OrbitCamera, IsTheScenesCameraAgain) {
   camera.distance = 5.0;
   const Camera scene = camera.camera();
   EXPECT_EQ(scene.view, View::front);
+  EXPECT_EQ(scene.projection, Projection::perspective);
   EXPECT_EQ(scene.orbit.value_at(0), 200.0);
   EXPECT_EQ(scene.elevation, -33.0);
   EXPECT_EQ(scene.target->value_at(7), Vec3(1, 2, 3));

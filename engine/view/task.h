@@ -1,0 +1,56 @@
+#pragma once
+/// One long piece of work beside the window. No Vulkan here.
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/core/task_watch.h"
+
+namespace sinew {
+
+/// At most one at a time. To be used from one thread; whoever destroys it waits for the work to stop.
+template <class T>
+class Task {
+ public:
+  using Work = std::function<Result<T>(TaskWatch&)>;
+
+  Task() = default;
+  Task(Task&&) noexcept = default;
+  Task& operator=(Task&&) = delete;
+  ~Task() {
+    if (!running()) return;
+    cancel();
+    outcome_.wait();
+  }
+
+  /// `what`: for people, such as "fitting walk". Nothing happens where other work is still running.
+  bool start(std::string what, Work work) {
+    if (running()) return false;
+    what_ = std::move(what);
+    watch_ = std::make_unique<TaskWatch>();
+    outcome_ = std::async(std::launch::async, [work = std::move(work), watch = watch_.get()] { return work(*watch); });
+    return true;
+  }
+  bool running() const { return outcome_.valid(); }
+  const std::string& what() const { return what_; }
+  double share() const { return watch_ ? watch_->share() : 0.0; }
+  void cancel() {
+    if (watch_) watch_->cancel();
+  }
+  /// What came of it, once, when it is done.
+  std::optional<Result<T>> take() {
+    if (!running() || outcome_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+    return outcome_.get();
+  }
+
+ private:
+  std::string what_;
+  std::unique_ptr<TaskWatch> watch_;
+  std::future<Result<T>> outcome_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,51 @@
+#include <utility>
+
+#include "engine/view/panel_parts.h"
+#include "engine/view/viewer_session.h"
+
+namespace sinew {
+
+void ViewerSession::start_recording() {
+  Recording recording;
+  recording.scene = document().scene();
+  recording.source = state_.file;
+  recording.options = document().options();
+  recording.options.frames.reset();
+  recording.look = options_.look;
+  // Films' encoders want even sizes.
+  recording.look.size = {std::max(size_.width & ~1, 2), std::max(size_.height & ~1, 2)};
+  recording.output = state_.film;
+  recording.device = options_.device;
+  if (std::filesystem::path(state_.film).extension() == ".png" && state_.film.find('#') == std::string::npos)
+    recording.options.frames = std::vector{state_.playback.shown()};
+  if (recording_.start(state_.film, [recording](TaskWatch& watch) { return record(recording, watch); }))
+    say("recording " + state_.film + " ...");
+}
+
+void ViewerSession::follow_recording() {
+  if (std::exchange(state_.record, false)) start_recording();
+  if (std::exchange(state_.stop_recording, false)) recording_.cancel();
+  state_.recorded = recording_.running() ? std::optional(recording_.share()) : std::nullopt;
+  const auto done = recording_.take();
+  if (!done) return;
+  state_.recorded.reset();
+  if (*done)
+    say(fmt::format("{} written: {} frames", recording_.what(), (*done)->frames.size()));
+  else if (done->error().kind == ErrorKind::interrupted)
+    say(recording_.what() + ": stopped, nothing is written");
+  else
+    say(done->error());
+}
+
+void ViewerSession::follow_library() {
+  MotionBrowser& browser = state_.motion.browser;
+  browser.poll();
+  const auto news = browser.take_news();
+  if (!news) return;
+  say(news->message, news->is_error);
+  if (news->saved.empty()) return;
+  state_.motion.save_as.clear();
+  ask_for_clip(document(), state_, news->saved);
+}
+
+}  // namespace sinew

@@ -1,0 +1,107 @@
+#pragma once
+/// One run of the viewer, from the first scene opened to the window closed. Private to the viewer's own sources.
+
+#include <future>
+#include <memory>
+
+#include "engine/view/file_watch.h"
+#include "engine/view/film_recorder.h"
+#include "engine/view/head_work.h"
+#include "engine/view/orbit_camera.h"
+#include "engine/view/panels.h"
+#include "engine/view/picture_tools.h"
+#include "engine/view/preferences.h"
+#include "engine/view/viewer.h"
+#include "engine/view/window_picture.h"
+
+namespace sinew {
+
+/// What is shown in the window, and all that the user does with it.
+class ViewerSession {
+ public:
+  ViewerSession(Device& device, const ViewerOptions& options) : device_(device), options_(options) {
+    state_.device = device.info().name + (device.info().cpu ? " (a CPU)" : "");
+    state_.save_as = "scene.json";
+  }
+
+  /// Goes on from the last run, and keeps what the next one goes on from in `file`.
+  void go_on_from(const Preferences& preferences, const std::filesystem::path& file);
+  Result<void> open(const SceneOptions& scene, std::vector<std::string>& problems);
+  /// Shows a message.
+  void tell(const std::string& message) { say(message, true); }
+  Result<ViewerReport> run(Window& window);
+
+ private:
+  Result<void> show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems);
+
+  /// Everything of one opened scene; the picture points into the document, so they stay and go together.
+  struct Shown {
+    Document document;
+    std::optional<WindowPicture> picture;
+    explicit Shown(Document opened) : document(std::move(opened)) {}
+  };
+
+  Document& document() { return shown_->document; }
+  FrameMaker& maker() { return shown_->picture->maker(); }
+  double aspect() const { return double(size_.width) / std::max(1, size_.height); }
+
+  Result<void> make_pictures(Shown& shown, std::vector<std::string>& problems);
+  Result<void> follow(Touched what);
+  void take_pointer();
+  void take_keys(Window& window);
+  void take_key(const KeyPress& press, Window& window);
+  void take_requests(Window& window);
+  void take_edit(const Result<Touched>& done, const std::string& said);
+  void look_from(const OrbitCamera& camera);
+  void choose_view(View view);
+  void toggle_projection();
+  void take_photo();
+
+  // viewer_files.cpp
+  void open_beside(const std::string& file);
+  void take_opened();
+  bool follow_disk();
+  void save();
+  void take_file_requests(Window& window);
+  void keep_preferences(const Window& window);
+  void remember(const std::string& file);
+
+  // viewer_film.cpp
+  void start_recording();
+  void follow_recording();
+  void follow_library();
+  void say(std::string message, bool is_error = false) {
+    state_.message = std::move(message);
+    state_.is_error = is_error;
+    stale_ = true;
+  }
+  void say(const Error& error) { say(error.message, true); }
+  Result<void> show_frame(Window& window);
+  /// True while anything runs beside the window.
+  bool works_beside() const {
+    return opening_.valid() || heads_.is_busy() || recording_.running() || state_.motion.browser.task().running();
+  }
+
+  Device& device_;
+  ViewerOptions options_;
+  ViewState state_;
+  PictureSize size_;
+  std::unique_ptr<Shown> shown_;
+  HeadWork heads_;
+  PictureTools tools_;
+  std::future<Result<Stage>> opening_;
+  SceneOptions opening_options_;
+  bool reloading_ = false;  ///< what is being opened is the file that is shown
+  Camera camera_in_file_;   ///< as the file was opened
+  FileWatch disk_;
+  Task<CaptureReport> recording_;
+  Preferences preferences_;
+  std::filesystem::path preferences_file_;  ///< empty: none are kept
+  bool bounds_stale_ = false;               ///< the maker's bounds are those before the last poses
+  bool stale_ = true;                       ///< the picture is not that of the document any more
+  int drawn_frame_ = -1;
+  PictureArea drawn_area_;
+  ViewExtras drawn_extras_;
+};
+
+}  // namespace sinew

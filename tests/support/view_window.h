@@ -1,0 +1,125 @@
+#pragma once
+/// `sinew view` in a real window, on an X server that needs no screen.
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <thread>
+
+#include "engine/core/files.h"
+#include "tests/support/assets.h"
+#include "tests/support/program.h"
+
+namespace sinew::test {
+
+using namespace std::chrono_literals;
+
+inline bool has_program(const char* name) {
+  return std::system(fmt::format("command -v {} > /dev/null 2>&1", name).c_str()) == 0;
+}
+
+/// An X server of its own, ended with the test.
+class XServer {
+ public:
+  XServer() {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) return;
+    server_ = fork();
+    if (server_ == 0) {
+      close(ends[0]);
+      const std::string fd = std::to_string(ends[1]);
+      freopen("/dev/null", "w", stderr);
+      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", nullptr);
+      _exit(127);
+    }
+    close(ends[1]);
+    std::string number;
+    for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
+    close(ends[0]);
+    if (!number.empty()) display = ":" + number;
+  }
+  ~XServer() {
+    if (server_ <= 0) return;
+    kill(server_, SIGTERM);
+    waitpid(server_, nullptr, 0);
+  }
+
+  std::string display;  ///< ":3"; empty where the server did not start
+
+ private:
+  pid_t server_ = -1;
+};
+
+class View : public ProgramTest {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"Xvfb", "xdotool"})
+      if (!has_program(name)) {
+        if (assets_required()) FAIL() << "SINEW_REQUIRE_ASSETS is 1, but " << name << " is missing";
+        GTEST_SKIP() << "SKIPPED: " << name << " is missing";
+      }
+    ASSERT_FALSE(server_.display.empty()) << "Xvfb does not start";
+  }
+
+  ProgramOptions in_window() const {
+    ProgramOptions options;
+    options.environment["DISPLAY"] = server_.display;
+    options.environment["WAYLAND_DISPLAY"] = std::nullopt;
+    options.environment["XDG_CONFIG_HOME"] = path("config");
+    options.folder = path("");
+    return options;
+  }
+  void act(const std::string& words) const {
+    EXPECT_EQ(std::system(fmt::format("DISPLAY={} xdotool {} > /dev/null 2>&1", server_.display, words).c_str()), 0)
+        << words;
+  }
+  const std::string& display() const { return server_.display; }
+  void press(const std::string& key) const {
+    act("key " + key);
+    std::this_thread::sleep_for(400ms);
+  }
+  /// Closes the window and gives how the program ended.
+  ProgramResult quit(RunningProgram& program) const {
+    press("Escape");
+    press("ctrl+q");
+    return program.finish();
+  }
+  /// Waits until the file is there and whole.
+  bool appears(const std::string& name) const {
+    for (int i = 0; i < 300; ++i) {
+      if (std::filesystem::exists(path(name))) return true;
+      std::this_thread::sleep_for(100ms);
+    }
+    return false;
+  }
+  /// Presses the left button at one point, goes to another and lets go.
+  void drag(int from_x, int from_y, int to_x, int to_y) const {
+    act(fmt::format("mousemove {} {}", from_x, from_y));
+    std::this_thread::sleep_for(300ms);
+    act("mousedown 1");
+    constexpr int steps = 6;
+    for (int i = 1; i <= steps; ++i) {
+      act(fmt::format("mousemove {} {}", from_x + (to_x - from_x) * i / steps, from_y + (to_y - from_y) * i / steps));
+      std::this_thread::sleep_for(100ms);
+    }
+    act("mouseup 1");
+    std::this_thread::sleep_for(500ms);
+  }
+  void click(int x, int y) const {
+    act(fmt::format("mousemove {} {}", x, y));
+    std::this_thread::sleep_for(300ms);
+    act("click 1");
+    std::this_thread::sleep_for(700ms);
+  }
+  void wait_for_window() const {
+    act("search --sync --onlyvisible --name Sinew");
+    std::this_thread::sleep_for(1s);
+  }
+
+ private:
+  XServer server_;
+};
+
+}  // namespace sinew::test
