@@ -151,16 +151,27 @@ HeldFace held_pose(const FaceRig& face, const Pose& pose, bool strict) {
   return hold_at_limits(face, channels);
 }
 
+/// Where the landmarks are on the model at rest.
+nlohmann::ordered_json landmarks_json(const ModelFace& face, const LandmarkPlaces& places) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::object();
+  const Landmarks placed = placed_landmarks(face.mesh, places, "").value();
+  for (const auto& [name, place] : placed) out[name] = {place.x, place.y, place.z};
+  return out;
+}
+
 /// --on: the face of the drawn head on a model.
 Result<void> on_model(const Words& words) {
   auto landmarks = words.landmarks.empty() ? LandmarkPlaces() : read_landmarks(words.landmarks);
   if (!landmarks) return tl::unexpected<Error>(landmarks.error());
   auto model = read_mesh_model(words.on);
   if (!model) return tl::unexpected<Error>(model.error());
+  std::vector<std::string> problems;
   if (words.landmarks.empty()) {
     const auto found = find_model_landmarks(*model);
     if (!found) return tl::unexpected<Error>(found.error());
     for (const std::string& note : found->notes) spdlog::info("{}: {}", words.on, note);
+    if (!found->by_features) problems.push_back(no_features);
+    for (const std::string& problem : problems) spdlog::warn("{}: {}", words.on, problem);
     for (const auto& [mark, place] : found->marks) (*landmarks)[mark] = place;
   }
   const auto pose = wanted_pose(words);
@@ -169,7 +180,8 @@ Result<void> on_model(const Words& words) {
     if (auto ok = file.empty() ? Result<void>() : check_writable(file); !ok) return ok;
   if (!words.save_landmarks.empty())
     if (auto ok = write_file(words.save_landmarks, landmarks_text(*landmarks)); !ok) return ok;
-  const auto face = model_face(*model, *landmarks, words.landmarks.empty() ? words.on : words.landmarks);
+  const auto face = model_face(*model, *landmarks,
+                               words.landmarks.empty() ? words.on + " (landmarks that were found)" : words.landmarks);
   if (!face) return tl::unexpected<Error>(face.error());
   for (const std::string& note : face->transfer.notes) spdlog::info("{}: {}", words.on, note);
   const Head& head = face->transfer.head;
@@ -195,7 +207,9 @@ Result<void> on_model(const Words& words) {
                 {"morph_targets", targets},
                 {"moving_vertices", moving},
                 {"height", head.measures.height},
-                {"notes", face->transfer.notes}});
+                {"landmarks", landmarks_json(*face, *landmarks)},
+                {"notes", face->transfer.notes},
+                {"problems", problems}});
   else
     std::cout << fmt::format("{}: {} vertices, {} morph targets\n", words.output, face->mesh.vertices(), targets);
   return {};

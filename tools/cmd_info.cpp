@@ -45,10 +45,12 @@ Json clips_json(const Stage& stage) {
 
 /// What moves a face: regions by name, or the morph targets that stand in for them; and what its limits hold.
 Json face_json(const Stage& stage) {
-  Json regions = Json::array(), targets = Json::array(), held = Json::array();
+  Json regions = Json::array(), targets = Json::array(), held = Json::array(), landmarks = Json::object();
   for (const StagedCharacter& character : stage.characters) {
     if (character.mesh.face && regions.empty())
       for (const FaceRegion& region : face_regions()) regions.push_back(region.name);
+    if (landmarks.empty())
+      for (const auto& [name, place] : character.face.landmarks) landmarks[name] = vector_json(place);
     if (!character.mesh.face)
       if (const auto found = TargetFace::find(*character.model, character.mesh))
         for (const std::string& name : found->names()) targets.push_back(name);
@@ -58,7 +60,7 @@ Json face_json(const Stage& stage) {
                       {"held", channel.held},
                       {"frame", frame}});
   }
-  return {{"regions", regions}, {"targets", targets}, {"held", held}};
+  return {{"regions", regions}, {"targets", targets}, {"landmarks", landmarks}, {"held", held}};
 }
 
 Json stage_json(const Stage& stage, bool posed) {

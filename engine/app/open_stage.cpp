@@ -191,6 +191,7 @@ Result<void> add_emotions(StagedCharacter& character, const SceneOptions& option
 Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, double fps,
                          const Place& place, std::vector<std::string>& problems) {
   std::vector<std::string> found = character.model->problems;
+  found.insert(found.end(), character.face.problems.begin(), character.face.problems.end());
   if (auto ok = choose_clip(character, options, bare_model, place); !ok) return ok;
   if (const auto& use = character.scene.motion) {
     auto motion = stage_motion(*use, options.library, *character.model, character.humanoid, found);
@@ -378,6 +379,8 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
       staged.rest = std::move((*old)->rest);
       staged.face.head = (*old)->face.head;
       staged.face.worn = (*old)->face.worn;
+      staged.face.landmarks = (*old)->face.landmarks;
+      staged.face.problems = (*old)->face.problems;
     } else {
       taken_from.push_back(nullptr);
       if (auto ok = make_model(staged, scene, with_library, place); !ok) return fail(ok.error());

@@ -1,5 +1,7 @@
 #include "engine/app/panel.h"
 
+#include <algorithm>
+
 #include "engine/app/overlay_content.h"
 
 namespace sinew {
@@ -66,6 +68,15 @@ Result<PanelMaker> PanelMaker::create(Device& device, const Stage& stage, const 
   whole_look.wire = figure.overlay.wire;
   auto main = FrameMaker::create(device, stage, scene, whole_look, problems);
   if (!main) return pass_on(std::move(main));
+  if (figure.overlay.of_faces()) {
+    const std::string asked = overlay_words({.guides = figure.overlay.guides, .regions = figure.overlay.regions});
+    for (const StagedCharacter& character : stage.characters)
+      if (const std::string why = without_regions(*character.model, character.mesh); !why.empty()) {
+        std::string problem =
+            fmt::format("{}: the overlay of {} shows nothing of it: {}", character.scene.model.string(), asked, why);
+        if (std::ranges::find(problems, problem) == problems.end()) problems.push_back(std::move(problem));
+      }
+  }
   PanelMaker panel(stage, std::move(*main), scene, figure);
   panel.inset_label_ = figure.zoom;
   if (figure.zoom.empty()) return panel;

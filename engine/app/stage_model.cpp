@@ -73,16 +73,21 @@ Result<void> lay_face(StagedCharacter& character) {
     const auto found = find_model_landmarks(*character.model);
     if (!found) return tl::unexpected<Error>(found.error());
     for (const auto& [mark, place] : found->marks) places[mark] = place;
+    if (!found->by_features) character.face.problems.push_back(no_features);
   } else {
     auto read = read_landmarks(file);
     if (!read) return pass_on(std::move(read));
     places = std::move(*read);
   }
-  const auto laid = model_face(*character.model, places, file == "auto" ? character.scene.model.string() : file);
+  const auto laid = model_face(*character.model, places,
+                               file == "auto" ? character.scene.model.string() + " (landmarks that were found)" : file);
   if (!laid) return tl::unexpected<Error>(laid.error());
   auto face = character_face(*laid, character.mesh, character.scene.model.string());
   if (!face) return pass_on(std::move(face));
   character.mesh.face = std::move(*face);
+  auto points = placed_landmarks(laid->mesh, places, file);
+  if (!points) return pass_on(std::move(points));
+  character.face.landmarks = std::move(*points);
   character.model_hash += " " + landmarks_text(places);
   return {};
 }

@@ -17,6 +17,13 @@ Result<void> stage_face(const Character& character, const Model& model, const Ch
       character.regions.empty() ? "expressions" : "regions");
 }
 
+std::string without_regions(const Model& model, const CharacterMesh& mesh) {
+  if (mesh.face) return "";
+  if (TargetFace::find(model, mesh))
+    return "its face is morph targets without regions; builtin:head has regions, and a scene's \"landmarks\" give them";
+  return "it has no face; a scene's \"landmarks\" give a head one";
+}
+
 std::shared_ptr<const CharacterMesh> mesh_at(const StagedFace& face, const CharacterMesh& mesh, double frame) {
   if (!face.head || !face.head->changes()) return nullptr;
   auto aged = std::make_shared<CharacterMesh>(mesh);

@@ -8,6 +8,7 @@
 
 #include "engine/face/drawn_head.h"
 #include "engine/face/face_track.h"
+#include "engine/face/landmarks.h"
 #include "engine/face/target_face.h"
 
 namespace sinew {
@@ -24,6 +25,8 @@ struct StagedFace {
   std::optional<CharacterFace> worn;      ///< of a figure that wears a head
   std::optional<TargetFace> targets;      ///< of a mesh without regions, where it is asked to move
   std::vector<HeldKey> held;              ///< over the scene's range
+  Landmarks landmarks;                    ///< that its regions were laid on by; points of the model at rest
+  std::vector<std::string> problems;      ///< of these, for people
 };
 
 /// Makes ready what `character` asks of its face. `mesh.face` is there already if the mesh has regions. Fails as
@@ -32,6 +35,9 @@ Result<void> stage_face(const Character& character, const Model& model, const Ch
 
 /// A head that changes its age: this frame's mesh. Null for all others.
 std::shared_ptr<const CharacterMesh> mesh_at(const StagedFace& face, const CharacterMesh& mesh, double frame);
+
+/// Why nothing of its face can be drawn over a picture: "" where it has regions.
+std::string without_regions(const Model& model, const CharacterMesh& mesh);
 
 /// The regions' state at a frame, held at their limits; `mesh` is the frame's. Nothing where it has no regions.
 std::optional<FaceState> face_state_at(const StagedFace& face, const CharacterMesh& mesh, double frame);

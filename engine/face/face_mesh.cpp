@@ -1,55 +1,23 @@
 #include "engine/face/face_mesh.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 #include <Eigen/Dense>
 
 #include "engine/face/fitted_ball.h"
+#include "engine/face/seam_weld.h"
 #include "engine/io/gltf_triangles.h"
 
 namespace sinew {
 namespace {
 
-/// [vertices] Those at an edge of a single triangle.
-std::vector<bool> at_border(const CharacterMesh& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3)
-    for (std::size_t c = 0; c < 3; ++c)
-      edges.push_back(std::minmax(mesh.triangles[i + c], mesh.triangles[i + (c + 1) % 3]));
-  std::ranges::sort(edges);
-  std::vector<bool> out(mesh.vertices(), false);
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i;
-    while (end < edges.size() && edges[end] == edges[i]) ++end;
-    if (end == i + 1) out[edges[i].first] = out[edges[i].second] = true;
-    i = end;
-  }
-  return out;
-}
-
-/// One place for vertices of borders that lie on each other and face alike: seams close, lips that touch stay two, and
-/// lashes that stand on a lid stay a piece of their own.
+/// Seams close, lips that touch stay two (seam_weld.h).
 void weld(const CharacterMesh& mesh, const Similarity& to_drawing, FaceMesh& out) {
-  constexpr double alike = -0.2;  // hard edges of seams turn less
-  const std::vector<bool> border = at_border(mesh);
-  std::map<std::tuple<double, double, double>, std::vector<std::uint32_t>> at;
-  for (std::size_t v = 0; v < mesh.vertices(); ++v) {
-    const Vec3& p = mesh.positions[v];
-    const Vec3 n = to_drawing.direction(mesh.normals[v]);
-    std::vector<std::uint32_t> none;
-    auto& here = border[v] ? at[{p.x, p.y, p.z}] : none;
-    const auto found = std::ranges::find_if(here, [&](std::uint32_t i) { return glm::dot(out.normals[i], n) > alike; });
-    if (found != here.end()) {
-      out.place_of.push_back(*found);
-      continue;
-    }
-    here.push_back(static_cast<std::uint32_t>(out.positions.size()));
-    out.place_of.push_back(here.back());
-    out.positions.push_back(to_drawing.point(p));
-    out.normals.push_back(n);
-  }
+  std::size_t places = 0;
+  out.place_of = weld_seams(mesh.positions, mesh.triangles, places);
+  out.positions.resize(places);
+  for (std::size_t v = 0; v < mesh.vertices(); ++v)
+    out.positions[out.place_of[v]] = to_drawing.point(mesh.positions[v]);
   for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
     const std::uint32_t a = out.place_of[mesh.triangles[i]], b = out.place_of[mesh.triangles[i + 1]],
                         c = out.place_of[mesh.triangles[i + 2]];

@@ -9,23 +9,27 @@
 namespace sinew {
 namespace {
 
-/// The size of the eyeballs at which no lid that moves straight from rest to `posed` ever touches them.
-double clear_eye_share(const FaceRig& face, const std::vector<Vec3>& rest, const std::vector<Vec3>& posed) {
+/// The size of one eyeball that lids on their straight way from rest to `posed` need. A lid that turns keeps its
+/// distance from the eyeball's centre; by what a straight one comes nearer than that, and below the ball's surface, the
+/// ball gives way. How near a lid lies at either end is the mesh's own matter.
+double clear_eye_share(const FaceRig& face, const std::vector<Vec3>& rest, const std::vector<Vec3>& posed, int eye) {
   constexpr int steps = 20;
   constexpr double gap = 0.004;
+  const Vec3& centre = face.eye_centres[static_cast<std::size_t>(eye)];
   double share = 1.0;
   for (std::size_t v = 0; v < rest.size(); ++v) {
     const FaceVertex& vertex = face.vertices[v];
-    if (vertex.least_distance == 0.0 || posed[v] == rest[v]) continue;
-    const Vec3& centre = face.eye_centres[static_cast<std::size_t>(vertex.eye)];
+    if (vertex.eye != eye || vertex.least_distance == 0.0 || posed[v] == rest[v]) continue;
+    const double first = glm::distance(rest[v], centre), last = glm::distance(posed[v], centre);
     for (int i = 1; i < steps; ++i) {
       const double t = double(i) / steps;
-      const double distance = glm::distance(glm::mix(rest[v], posed[v], t), centre) - gap;
+      const double distance = glm::distance(glm::mix(rest[v], posed[v], t), centre);
+      const double wanted = std::min(face.eye_radius + gap, glm::mix(first, last, t));
       // Of the ball's share 1 - t (1 - s).
-      share = std::min(share, 1.0 - (1.0 - distance / face.eye_radius) / t);
+      share = std::min(share, 1.0 - (wanted - distance) / (face.eye_radius * t));
     }
   }
-  return share;
+  return std::max(share, least_eye_share);
 }
 
 /// The mesh's bind pose in the face's drawing units.
@@ -70,13 +74,15 @@ HeadShape shape_of(const FaceRig& face, const HeadShape& rest, const ShapeRecipe
                    const std::function<HeadShape(const FaceChannels&)>& posed) {
   HeadShape out = posed(recipe.to);
   out.name = recipe.name;
-  const double eye_share = clear_eye_share(face, rest.positions, out.positions);
-  if (eye_share < 1.0)
-    for (std::size_t v = 0; v < out.positions.size(); ++v)
-      if (const FaceVertex& vertex = face.vertices[v]; vertex.ball) {
-        const Vec3& centre = face.eye_centres[static_cast<std::size_t>(vertex.eye)];
-        out.positions[v] = centre + eye_share * (out.positions[v] - centre);
-      }
+  const std::array shares{clear_eye_share(face, rest.positions, out.positions, 0),
+                          clear_eye_share(face, rest.positions, out.positions, 1)};
+  for (std::size_t v = 0; v < out.positions.size(); ++v) {
+    const FaceVertex& vertex = face.vertices[v];
+    if (!vertex.ball) continue;
+    const auto eye = static_cast<std::size_t>(vertex.eye);
+    const Vec3& centre = face.eye_centres[eye];
+    if (shares[eye] < 1.0) out.positions[v] = centre + shares[eye] * (out.positions[v] - centre);
+  }
   if (recipe.from == FaceChannels{} && recipe.half == FaceHalf::both) return out;
 
   constexpr double blend_width = 0.15;

@@ -33,6 +33,9 @@ std::vector<ShapeRecipe> shape_recipes(const FaceRig& face, bool strict);
 /// The name of the shape of a channel at its upper or lower limit.
 std::string channel_shape_name(std::size_t channel, bool positive);
 
+/// Shapes leave eyeballs at least this share of their size.
+constexpr double least_eye_share = 0.75;
+
 /// The shape of a recipe. `posed` gives the face in a state. Where lids shut, the eyeballs draw back a little with
 /// them: a lid that moves straight instead of turning would dip below the ball half way.
 HeadShape shape_of(const FaceRig& face, const HeadShape& rest, const ShapeRecipe& recipe,

@@ -97,11 +97,12 @@ Result<TransferredFace> transfer_face(const Head& from, const CharacterMesh& mes
     if (const auto mark = target.marks.find(guide.name); mark != target.marks.end())
       out.guides.*guide.height = mark->second.y;
   out.head.positions = target.positions;
-  out.head.normals = target.normals;
   out.head.skin_vertices = target.positions.size();
   for (std::size_t i = 0; i < target.triangles.size(); i += 3)
     out.head.triangles.push_back(
         {{target.triangles[i], target.triangles[i + 1], target.triangles[i + 2]}, HeadMaterial::skin});
+  // What deltas are counted from, to the bit: weighed otherwise, every signal would bend what it does not move.
+  out.head.normals = head_normals(out.head, out.head.positions);
   out.head.measures = from.measures;
   out.head.measures.height = head_units * target.to_mesh.scale;
   FaceRig& face = out.head.face;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/face/body_head.h"
 #include "engine/face/face_transfer.h"
 #include "engine/face/head_profile.h"
+#include "engine/face/seam_weld.h"
 #include "engine/face/visible_eye.h"
 
 namespace sinew {
@@ -20,17 +22,32 @@ FrontView front_view(const CharacterMesh& mesh, const HeadSite& site) {
   FrontView out;
   const Mat3 to_own = glm::transpose(site.axes);
   for (const Vec3& p : mesh.positions) out.positions.push_back(to_own * p);
-  const SurfaceGraph graph = surface_graph(mesh.positions, mesh.triangles);
+  // Eyes that lie on the lids' edge are no part of the skin.
+  std::size_t places = 0;
+  const std::vector<std::uint32_t> place_of = weld_seams(mesh.positions, mesh.triangles, places);
+  std::vector<Vec3> at(places);
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t v = 0; v < mesh.vertices(); ++v) at[place_of[v]] = mesh.positions[v];
+  for (const std::uint32_t v : mesh.triangles) triangles.push_back(place_of[v]);
+  const SurfaceGraph graph = surface_graph(at, triangles, false);
+  const auto shell = [&](std::size_t v) { return graph.shell[place_of[v]]; };
+  std::vector<bool> inside = site.inside.empty() ? std::vector<bool>(mesh.vertices(), true) : site.inside;
   std::vector<std::size_t> size(graph.shells, 0);
   for (std::size_t v = 0; v < mesh.vertices(); ++v)
-    if (site.inside[v]) ++size[graph.shell[v]];
+    if (inside[v]) ++size[shell(v)];
   const auto largest = static_cast<std::uint32_t>(std::ranges::max_element(size) - size.begin());
-  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-    const std::uint32_t* t = &mesh.triangles[i];
-    if (!site.inside[t[0]] || !site.inside[t[1]] || !site.inside[t[2]]) continue;
-    std::vector<std::uint32_t>& to = graph.shell[t[0]] == largest ? out.skin : out.rest;
-    to.insert(to.end(), t, t + 3);
-  }
+  const auto gather = [&](bool of_largest) {
+    std::vector<std::uint32_t> gathered;
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+      const std::uint32_t* t = &mesh.triangles[i];
+      if (inside[t[0]] && inside[t[1]] && inside[t[2]] && (shell(t[0]) == largest) == of_largest)
+        gathered.insert(gathered.end(), t, t + 3);
+    }
+    return gathered;
+  };
+  if (site.inside.empty()) inside = above_neck(out.positions, gather(true));
+  out.skin = gather(true);
+  out.rest = gather(false);
   return out;
 }
 
@@ -81,6 +98,12 @@ Result<FoundLandmarks> find_landmarks(const CharacterMesh& mesh, const HeadSite&
   out.notes.push_back(fmt::format(
       "landmarks were found: nose {}, lips {}, eyes {}", profile->has_lips ? "by its profile" : "by proportion",
       profile->has_lips ? "by their profile" : "by proportion", eyes.empty() ? "by proportion" : "by their balls"));
+  out.by_features = profile->has_lips || !eyes.empty();
+  for (const LandmarkName& l : landmark_names())
+    if (l.required && !out.marks.contains(l.name))
+      return bad_input("{}: a head was found, but no \"{}\" on it; expected landmarks in a file", name, l.name);
+  if (!out.marks.contains("lipContact"))
+    return bad_input("{}: a head was found, but no \"lipContact\" on it; expected landmarks in a file", name);
   for (auto& [mark, place] : out.marks) place = site.axes * place;
   return out;
 }

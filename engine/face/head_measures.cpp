@@ -159,6 +159,9 @@ void apply_skull(const SkullWeights& skull, HeadMeasures& measures) {
     for (const auto& [measure, amount] : changes["plus"].items())
       measures.*find_field(measure)->member += weight * amount.get<double>();
   }
+  // Of skulls that pull the same way the sum may be more than a head bears; nobody asked for that number.
+  for (const HeadMeasureField& field : fields)
+    measures.*field.member = std::clamp(measures.*field.member, field.low, field.high);
 }
 
 Result<void> apply_measure(std::string_view text, HeadMeasures& measures) {

@@ -62,7 +62,7 @@ std::span<const std::string> skull_names();
 /// "round", or "round=0.5,wide=0.2" with weights from 0 to 1. Fails as usage.
 Result<SkullWeights> parse_skull(std::string_view text);
 
-/// Changes the outline of the skull and what follows it.
+/// Changes the outline of the skull and what follows it; a measure that would leave its range stops at its end.
 void apply_skull(const SkullWeights& skull, HeadMeasures& measures);
 
 /// "NAME=VALUE" set in the measures. Fails as usage where the text has not that form, as bad_input where there is no

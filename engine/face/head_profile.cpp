@@ -5,6 +5,8 @@
 namespace sinew {
 namespace {
 
+constexpr double open_lips = 0.08;  ///< of a drawing unit: a groove that is deeper is an open mouth
+
 /// Depths of the skin as seen from the front along a vertical line, from the crown down.
 struct Line {
   double top = 0.0, step = 0.0;
@@ -82,7 +84,7 @@ std::optional<HeadProfile> find_profile(const std::vector<Vec3>& positions, cons
       deepest = dent;
       out.lip_contact = place(i);
       // Between lips that part a little the line goes into the mouth.
-      out.lip_contact.z = std::max(out.lip_contact.z, std::min(upper, lower) - 0.08 * unit);
+      out.lip_contact.z = std::max(out.lip_contact.z, std::min(upper, lower) - open_lips * unit);
     }
   }
   out.has_lips = out.has_nose && deepest > 0.01 * unit;
@@ -98,18 +100,20 @@ std::optional<Vec3> find_lip_corner(const TriangleTree& tree, const HeadProfile&
   for (double x = 0.04 * unit; x < 1.35 * reach; x += 0.02 * unit) {
     const double at = profile.middle + side * x;
     const Line line = line_at(tree, at, y + band, y - band, front, 4 * unit, steps);
-    double deepest = 0.0;
+    double deepest = 0.0, lips = 0.0;
     std::size_t where = steps / 2;
     // Near the groove of the step before.
     for (std::size_t i = steps / 2 - 9; i <= steps / 2 + 9; ++i) {
       const double upper = line.depth[line.extreme(i - 16, i, true)], lower = line.depth[line.extreme(i, i + 16, true)];
       const double dent = std::min(upper, lower) - line.depth[i];
-      if (dent > deepest) deepest = dent, where = i;
+      if (dent > deepest) deepest = dent, where = i, lips = std::min(upper, lower);
     }
+    // Between lips that part a little the line goes into the mouth.
+    deepest = std::min(deepest, open_lips * unit);
     if (x < 0.15 * unit) first_dent = std::max(first_dent, deepest);
     if (deepest < 0.12 * first_dent) break;
     y = line.height(where);
-    best = Vec3(at, y, line.depth[where]);
+    best = Vec3(at, y, std::max(line.depth[where], lips - open_lips * unit));
   }
   if (!best || std::abs(best->x - profile.middle) < 0.6 * reach) return {};
   return best;

@@ -58,7 +58,6 @@ Result<FoundLandmarks> find_model_landmarks(const Model& model) {
   RestShape rest = rest_shape(model, mesh, hierarchy_order(model));
   mesh.positions = std::move(rest.positions);
   HeadSite site;
-  site.inside.assign(mesh.vertices(), true);
   const Humanoid humanoid = find_humanoid(model, rest.global);
   const int head = humanoid.find(HumanoidBone::head);
   if (head >= 0) {
@@ -70,6 +69,7 @@ Result<FoundLandmarks> find_model_landmarks(const Model& model) {
       const int parent = model.nodes[at].parent;
       of_head[at] = node == head || (parent >= 0 && of_head[static_cast<std::size_t>(parent)]);
     }
+    site.inside.resize(mesh.vertices());
     for (std::size_t v = 0; v < mesh.vertices(); ++v) site.inside[v] = of_head[static_cast<std::size_t>(mesh.bone(v))];
   }
   return find_landmarks(mesh, site, model.file);

@@ -53,6 +53,40 @@ TEST_F(HeadCommand, ExpressionsAreShownAndHeldMovesReported) {
   EXPECT_TRUE(jaw && gaze) << made.at("held");
 }
 
+TEST_F(HeadCommand, SkullsThatPullTheSameWayMakeAHead) {
+  EXPECT_EQ(run({"head", "--level", "0", "--age", "infant", "--skull", "wide=1,round=1", "-o", "x.glb"}).exit_code, 0);
+  const ProgramResult typed = run({"head", "--level", "0", "--measure", "width_mouth=1.5", "-o", "x.glb"});
+  EXPECT_EQ(typed.exit_code, 3) << typed;
+}
+
+TEST_F(HeadCommand, ABodyWithoutAFaceIsWarnedOf) {
+  EXPECT_EQ(run({"export", "builtin:woman", "--rig", "-o", "woman.glb"}).exit_code, 0);
+  const ProgramResult result = run({"head", "--on", "woman.glb", "-o", "faced.glb", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.err.find("warning: woman.glb: neither nose, lips nor eyes"), std::string::npos) << result;
+  EXPECT_EQ(nlohmann::json::parse(result.out).at("problems").size(), 1u);
+  EXPECT_TRUE(nlohmann::json::parse(result.out).at("landmarks").contains("noseTip"));
+  write("scene.json", R"({"sinew": 1, "characters": [{"model": "woman.glb", "landmarks": "auto"}]})");
+  const nlohmann::json info = json({"info", "scene.json"});
+  EXPECT_EQ(info.at("face").at("landmarks").at("noseTip").size(), 3u);
+  const std::string problems = info.at("problems").dump();
+  EXPECT_NE(problems.find("neither nose, lips nor eyes"), std::string::npos) << problems;
+}
+
+TEST_F(HeadCommand, OverlaysOfAFaceThatIsNotThereAreNamed) {
+  json({"head", "--level", "0", "-o", "head.glb"});
+  const auto warned = [&](const std::string& model) {
+    const ProgramResult result =
+        run({"render", model, "--overlay", "guides,regions", "--size", "64x64", "-o", "picture.png"});
+    EXPECT_EQ(result.exit_code, 0) << result;
+    const auto at = result.err.find("the overlay of guides, regions shows nothing of it: ");
+    return at == std::string::npos ? std::string() : result.err.substr(at);
+  };
+  EXPECT_NE(warned("builtin:arm").find("it has no face"), std::string::npos);
+  EXPECT_NE(warned("head.glb").find("morph targets without regions"), std::string::npos);
+  EXPECT_EQ(warned("builtin:head"), "");
+}
+
 TEST_F(HeadCommand, AHalfIsMirrored) {
   write("half.obj", "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0.00001 2 0\nf 1 4 3 2\nf 2 3 5\n");
   const nlohmann::json made = json({"head", "--half", "half.obj", "-o", "whole.glb"});

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/body/built_in_model.h"
 #include "engine/deform/face.h"
+#include "engine/face/face_shapes.h"
 #include "engine/face/model_face.h"
 #include "engine/io/obj_model.h"
 #include "tests/face/head_fixture.h"
@@ -254,6 +256,122 @@ TEST(Transfer, IctFaceTakesEveryExpression) {
   EXPECT_GT(head.face.vertices[place("chin")].jaw, 0.9);
   EXPECT_GT(head.face.vertices[place("lidUpperInnerLeft")].close_upper, 0.2);
   EXPECT_EQ(head.face.vertices[place("lidUpperInnerLeft")].close_lower, 0.0);
+}
+
+/// A real head with the face that its own landmarks give it.
+ModelFace found_face(const std::filesystem::path& file) {
+  const auto model = read_mesh_model(file);
+  EXPECT_TRUE(model) << model.error().message;
+  const auto found = find_model_landmarks(*model);
+  EXPECT_TRUE(found) << found.error().message;
+  LandmarkPlaces places;
+  for (const auto& [name, place] : found->marks) places[name] = place;
+  auto face = model_face(*model, places, file.string());
+  EXPECT_TRUE(face) << face.error().message;
+  return std::move(*face);
+}
+
+TEST(Transfer, ShapesLeaveForeignEyeballsWhereTheyAre) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  for (const char* file : {"characters/makehuman/mh_male_game.glb", "faces/ict/generic_neutral_mesh.obj"}) {
+    const ModelFace face = found_face(assets / file);
+    const Head& head = face.transfer.head;
+    const HeadShape rest{"", head.positions, head.normals};
+    for (const ShapeRecipe& recipe : shape_recipes(head.face, false)) {
+      const auto changes = [&](std::initializer_list<FaceChannel> channels) {
+        return std::ranges::any_of(channels, [&](FaceChannel c) { return channel(recipe.to, c) != 0.0; });
+      };
+      using C = FaceChannel;
+      if (changes({C::eye_left_yaw, C::eye_left_pitch, C::eye_right_yaw, C::eye_right_pitch})) continue;
+      const HeadShape shape =
+          shape_of(head.face, rest, recipe, [&](const FaceChannels& c) { return posed_head(head, c); });
+      std::array<double, 2> moved{};
+      for (std::size_t v = 0; v < head.positions.size(); ++v)
+        if (const FaceVertex& vertex = head.face.vertices[v]; vertex.ball)
+          moved[static_cast<std::size_t>(vertex.eye)] = std::max(moved[static_cast<std::size_t>(vertex.eye)],
+                                                                 glm::distance(shape.positions[v], head.positions[v]));
+      const std::array<bool, 2> lids{changes({C::upper_lid_left, C::lower_lid_left}),
+                                     changes({C::upper_lid_right, C::lower_lid_right})};
+      // Shut lids need a fifth of the radius, and the ball's farthest vertex lies a little beyond its radius. What
+      // moves the skin round the lids, such as the brow, pulls them a little.
+      for (std::size_t eye = 0; eye < 2; ++eye)
+        EXPECT_LT(moved[eye], (lids[eye] ? 1.1 * (1.0 - least_eye_share) : 0.02) * head.face.eye_radius)
+            << file << " " << recipe.name << " eye " << eye;
+    }
+  }
+}
+
+TEST(Transfer, NormalsAreThoseOfTheMovedSurface) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  const ModelFace face = found_face(assets / "characters/makehuman/mh_male_game.glb");
+  const Head& head = face.transfer.head;
+  for (const char* name : {"smile", "laugh", "surprise", "anger", "disgust"}) {
+    const FaceState state = face_state(head.face, for_head(head.face, find_expression(name).value()->channels(false)));
+    std::vector<Vec3> posed(head.positions.size()), normals(head.positions.size());
+    FaceJob{head.face, state, head.positions, head.normals, posed, normals}.run();
+    const std::vector<Vec3> wanted = head_normals(head, posed);
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t v = 0; v < posed.size(); ++v) {
+      if (glm::distance(posed[v], head.positions[v]) > 1e-3) {
+        sum += angle_degrees(normals[v], wanted[v]);
+        ++count;
+      } else if (wanted[v] == head.normals[v]) {
+        ASSERT_LT(angle_degrees(normals[v], wanted[v]), 1.0) << name << ": what does not move is shaded as at rest";
+      }
+    }
+    // Signals add up linearly, surfaces turn: a few degrees where several meet.
+    EXPECT_LT(sum / count, 4.0) << name;
+  }
+}
+
+TEST(Transfer, LipsThatTouchAlongACutPart) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  const ModelFace face = found_face(assets / "characters/mesh2motion/human-sintel.glb");
+  EXPECT_TRUE(face.transfer.notes.empty()) << face.transfer.notes[0];  // eyes that lie on the lids' edge are balls
+  // In the middle of the mouth the jaw's share never changes between neighbours by more than a lip's thickness does.
+  const FaceRig& rig = face.transfer.head.face;
+  const std::vector<Vec3>& at = face.transfer.head.positions;
+  const double contact = 0.66, half_mouth = 0.15;  // drawing units
+  for (const HeadTriangle& t : face.transfer.head.triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = t.corners[c], b = t.corners[(c + 1) % 3];
+      if (std::abs(at[a].x) > half_mouth || std::abs(at[a].y - contact) > 0.1 || at[a].z < 1.3) continue;
+      EXPECT_LT(std::abs(rig.vertices[a].jaw - rig.vertices[b].jaw), 0.5) << a << " " << b;
+    }
+}
+
+TEST(Transfer, ABodyWithoutASkeletonHasItsHeadAboveItsNeck) {
+  SINEW_ASSETS_OR_SKIP(assets);
+  // A body with helpers for clothes and joints about it, in decimetres.
+  const auto model = read_mesh_model(assets / "makehuman/base.obj");
+  ASSERT_TRUE(model) << model.error().message;
+  const auto found = find_model_landmarks(*model);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_TRUE(found->by_features);
+  // Its foremost vertex, and where the chin turns under.
+  EXPECT_NEAR(found->marks.at("noseTip").y, 6.914, 0.03);
+  EXPECT_NEAR(found->marks.at("chin").y, 6.17, 0.04);
+  const ModelFace face = found_face(assets / "makehuman/base.obj");
+  EXPECT_NEAR(face.transfer.head.measures.height, 2.3, 0.25);
+  EXPECT_TRUE(face.transfer.notes.empty());
+  expect_face(face, "base.obj");
+}
+
+TEST(Transfer, AHeadWithoutAFaceIsKnown) {
+  auto body = built_in_model("builtin:woman");
+  ASSERT_TRUE(body);
+  const auto smooth = find_model_landmarks(*body);
+  ASSERT_TRUE(smooth) << smooth.error().message;
+  EXPECT_FALSE(smooth->by_features);
+  SINEW_ASSETS_OR_SKIP(assets);
+  // A crown hides the face: what is missing is named.
+  const auto king = read_mesh_model(assets / "characters/quaternius/modular_men_King.glb");
+  ASSERT_TRUE(king);
+  const auto found = find_model_landmarks(*king);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().kind, ErrorKind::bad_input);
+  EXPECT_NE(found.error().message.find("no \"eyeInnerLeft\""), std::string::npos) << found.error().message;
 }
 
 TEST(Transfer, MakeHumanBodyFindsItsOwnLandmarks) {
