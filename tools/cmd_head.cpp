@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "engine/core/files.h"
+#include "engine/core/interrupt.h"
 #include "engine/core/text.h"
 #include "engine/face/expression.h"
 #include "engine/face/half_head.h"
@@ -180,6 +181,7 @@ Result<void> on_model(const Words& words) {
     if (auto ok = file.empty() ? Result<void>() : check_writable(file); !ok) return ok;
   if (!words.save_landmarks.empty())
     if (auto ok = write_file(words.save_landmarks, landmarks_text(*landmarks)); !ok) return ok;
+  std::optional<EndAtOnce> nothing_is_open(std::in_place);
   const auto face = model_face(*model, *landmarks,
                                words.landmarks.empty() ? words.on + " (landmarks that were found)" : words.landmarks);
   if (!face) return tl::unexpected<Error>(face.error());
@@ -230,6 +232,7 @@ Result<void> head(const Words& words) {
   for (const std::string& file : {words.output, words.save_measures})
     if (auto ok = file.empty() ? Result<void>() : check_writable(file); !ok) return ok;
 
+  std::optional<EndAtOnce> nothing_is_open(std::in_place);
   const auto made = HeadMaker(words.level.value_or(default_head_level)).head(*measures);
   if (!made) return tl::unexpected<Error>(made.error());
   Model model;
@@ -243,6 +246,8 @@ Result<void> head(const Words& words) {
   }
   const auto bytes = head_glb(*made, model);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
+  nothing_is_open.reset();
+  nothing_is_open.reset();
   if (!words.save_measures.empty())
     if (auto ok = write_file(words.save_measures, measures_text(*measures)); !ok) return ok;
   if (auto ok = write_file(words.output, *bytes); !ok) return ok;
