@@ -167,6 +167,7 @@ Shot FrameMaker::shot(int frame, double orbit) const {
   shot.scene = bounds_;
   shot.shadows = look_.shadows.value_or(stage_->scene.look.shadows);
   const std::optional<bool> floor = look_.floor ? look_.floor : stage_->scene.look.floor;
+  shot.ground = floor_;
   if (floor.value_or(background.alpha != 0)) shot.floor = floor_;
   return shot;
 }

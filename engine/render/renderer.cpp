@@ -48,7 +48,7 @@ layout::FrameUniforms frame_uniforms(const Shot& shot, const Target& target, con
   layout::FrameUniforms u{};
   const Viewpoint& camera = shot.viewpoint;
   const double aspect = double(target.width) / target.height;
-  const Studio studio = make_studio(camera, aspect, shot.scene, shot.floor);
+  const Studio studio = make_studio(camera, aspect, shot.scene, shot.floor.value_or(shot.ground));
   u.view_projection = Mat4f(studio.viewpoint.view_projection(aspect));
   u.light_projection = Mat4f(studio.light_projection);
   u.contact_projection = Mat4f(studio.contact_projection);

@@ -38,6 +38,7 @@ struct Shot {
   Bounds scene;                     ///< box of all that is shown over the whole range: what shadows are drawn for
   bool shadows = false;             ///< of the key light; Shading::lit and flat only
   std::optional<double> floor;      ///< height of the floor that shows shadows; likewise
+  double ground = 0.0;              ///< where it would be if it is not shown: surfaces look the same either way
   std::optional<PictureArea> seen;  ///< within the picture; beyond it anything may be drawn or left out; absent: all
 };
 

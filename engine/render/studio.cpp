@@ -67,8 +67,7 @@ Vec3 shadow_of(const Vec3& p, const Vec3& to_light, double floor_height, double 
 
 }  // namespace
 
-Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scene, std::optional<double> floor) {
-  const double floor_height = floor.value_or(0.0);
+Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scene, double floor_height) {
   const auto in_world = [&](const Vec3& v) {
     return glm::normalize(v.x * viewpoint.right + v.y * viewpoint.up + v.z * viewpoint.back);
   };
@@ -95,14 +94,13 @@ Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scen
 
   std::vector<Vec3> floor_corners;
   studio.viewpoint = viewpoint;
-  if (floor)
-    for (const Vec2& side : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
-      const Vec2 away = side * studio.floor_half_size;
-      floor_corners.push_back(studio.floor_centre + Vec3(away.x, 0.0, away.y));
-      const double depth = glm::dot(viewpoint.eye - floor_corners.back(), viewpoint.back);
-      studio.viewpoint.far_plane = std::max(studio.viewpoint.far_plane, 1.01 * depth);
-      if (viewpoint.is_parallel()) studio.viewpoint.near_plane = std::min(studio.viewpoint.near_plane, depth);
-    }
+  for (const Vec2& side : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+    const Vec2 away = side * studio.floor_half_size;
+    floor_corners.push_back(studio.floor_centre + Vec3(away.x, 0.0, away.y));
+    const double depth = glm::dot(viewpoint.eye - floor_corners.back(), viewpoint.back);
+    studio.viewpoint.far_plane = std::max(studio.viewpoint.far_plane, 1.01 * depth);
+    if (viewpoint.is_parallel()) studio.viewpoint.near_plane = std::min(studio.viewpoint.near_plane, depth);
+  }
   // A bulge or a strand of hair may leave the box a little.
   Bounds grown = scene;
   grown.low -= 0.05 * diagonal;

@@ -2,8 +2,6 @@
 /// The studio that characters stand in: three lights that stand relative to the camera, the floor, and how the maps of
 /// their shadows look at the scene. No Vulkan here.
 
-#include <optional>
-
 #include "engine/render/viewpoint.h"
 
 namespace sinew {
@@ -20,9 +18,9 @@ struct Studio {
   Viewpoint viewpoint;           ///< the camera, its far plane behind the floor
 };
 
-/// `scene`: the box of all that is shown over the whole range. `floor`: its height, where one is shown. The key light's
-/// map holds what the camera sees of scene and floor, and all of the scene that may throw a shadow there: what is seen
-/// from near by has finer shadows.
-Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scene, std::optional<double> floor);
+/// `scene`: the box of all that is shown over the whole range. The floor lies at `floor_height`, shown or not. The key
+/// light's map holds what the camera sees of scene and floor, and all of the scene that may throw a shadow there: what
+/// is seen from near by has finer shadows.
+Studio make_studio(const Viewpoint& viewpoint, double aspect, const Bounds& scene, double floor_height);
 
 }  // namespace sinew

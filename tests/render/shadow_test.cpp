@@ -138,7 +138,7 @@ TEST(Studio, WhatIsSeenFromNearByHasAFinerMapWithAllThatShadesIt) {
   box.add(Vec3(-0.9, 0.0, -0.3));
   box.add(Vec3(0.9, 1.8, 0.3));
   const Viewpoint whole = frame_box(box, {}, 1.0), near = look_at({0.05, 1.6, 0.1}, 0.6, box, {});
-  const Studio far_off = make_studio(whole, 1.0, box, std::nullopt), close = make_studio(near, 1.0, box, std::nullopt);
+  const Studio far_off = make_studio(whole, 1.0, box, 0.0), close = make_studio(near, 1.0, box, 0.0);
   EXPECT_LT(close.shadow_width, 0.5 * far_off.shadow_width);
   const Frustum frustum = frustum_of(near, 1.0);
   std::mt19937 generator(5);
