@@ -105,13 +105,13 @@ class View : public ProgramTest {
       std::this_thread::sleep_for(100ms);
     }
     act("mouseup 1");
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(800ms);
   }
   void click(int x, int y) const {
     act(fmt::format("mousemove {} {}", x, y));
     std::this_thread::sleep_for(300ms);
     act("click 1");
-    std::this_thread::sleep_for(700ms);
+    std::this_thread::sleep_for(1500ms);
   }
   void wait_for_window() const {
     act("search --sync --onlyvisible --name Sinew");
