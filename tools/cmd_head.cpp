@@ -199,6 +199,7 @@ Result<void> on_model(const Words& words) {
   }
   const auto bytes = rig_glb(*model);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
+  nothing_is_open.reset();
   if (auto ok = write_file(words.output, *bytes); !ok) return ok;
   for (const HeldChannel& h : held.held)
     spdlog::info("{} is held at {:.4g}, asked for {:.4g}", channel_word(h.channel), h.held, h.asked);
@@ -246,7 +247,6 @@ Result<void> head(const Words& words) {
   }
   const auto bytes = head_glb(*made, model);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
-  nothing_is_open.reset();
   nothing_is_open.reset();
   if (!words.save_measures.empty())
     if (auto ok = write_file(words.save_measures, measures_text(*measures)); !ok) return ok;

@@ -22,9 +22,8 @@ Result<LookOptions> look_options(const LookWords& words) {
   auto size = parse_size(words.size);
   if (!size) return pass_on(std::move(size));
   look.size = *size;
-  const auto samples = check_samples(words.samples);
-  if (!samples) return tl::unexpected<Error>(samples.error());
-  look.samples = *samples;
+  if (auto ok = check_samples(words.samples); !ok) return pass_on(std::move(ok));
+  look.samples = words.samples;
   if (words.orbit && !std::isfinite(*words.orbit))
     return failure(ErrorKind::usage, "--orbit {}: expected a number of degrees", *words.orbit);
   look.orbit = words.orbit;

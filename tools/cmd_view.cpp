@@ -25,9 +25,8 @@ Result<ViewerOptions> viewer_options(const Words& words) {
   auto size = parse_size(words.size.value_or("1280x720"));
   if (!size) return pass_on(std::move(size));
   options.look.size = *size;
-  const auto samples = check_samples(words.samples);
-  if (!samples) return tl::unexpected<Error>(samples.error());
-  options.look.samples = *samples;
+  if (auto ok = check_samples(words.samples); !ok) return pass_on(std::move(ok));
+  options.look.samples = words.samples;
   if (words.shown && (*words.shown < 1 || *words.shown > 1'000'000))
     return failure(ErrorKind::usage, "--frames {}: expected 1 to 1,000,000 frames to show", *words.shown);
   options.frames = words.shown.value_or(0);

@@ -101,8 +101,8 @@ Result<PictureSize> parse_size(std::string_view text) {
 std::string_view deformer_name(Deformer deformer) { return deformer_words[static_cast<std::size_t>(deformer)]; }
 std::string_view bulge_name(BulgeMode bulge) { return bulge_words[static_cast<std::size_t>(bulge)]; }
 
-Result<int> check_samples(int samples) {
-  if (samples == 1 || samples == 4) return samples;
+Result<void> check_samples(int samples) {
+  if (samples == 1 || samples == 4) return {};
   return failure(ErrorKind::usage, "--samples {}: expected 1 or 4", samples);
 }
 

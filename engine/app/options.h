@@ -50,7 +50,7 @@ struct PictureSize {
   int width = 1280, height = 720;
 };
 Result<PictureSize> parse_size(std::string_view text);
-Result<int> check_samples(int samples);
+Result<void> check_samples(int samples);
 
 std::string_view deformer_name(Deformer deformer);
 std::string_view bulge_name(BulgeMode bulge);

@@ -106,11 +106,11 @@ SmoothedSamples smooth_samples(std::span<const double> samples, double resolutio
 std::vector<std::size_t> find_jumps(std::span<const double> samples, double resolution) {
   constexpr std::size_t reach = 6, fewest = 3;
   constexpr double times = 10.0;
-  std::vector<double> steps;
+  std::vector<double> steps, others;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) steps.push_back(std::abs(samples[i + 1] - samples[i]));
   std::vector<std::size_t> jumps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    std::vector<double> others;
+    others.clear();
     for (std::size_t j = i > reach ? i - reach : 0; j < std::min(i + reach + 1, steps.size()); ++j)
       if (j != i) others.push_back(steps[j]);
     if (others.size() < fewest) continue;
