@@ -66,7 +66,7 @@ Result<std::optional<KeptCurves>> kept_curves(const StoredClip& clip, const std:
   KeptCurves kept{{}, std::vector<bool>(skeleton.joints.size(), true)};
   for (const std::string& name : joints) {
     const auto joint = find_motion_joint(skeleton, name);
-    if (!joint) return tl::unexpected<Error>(joint.error());
+    if (!joint) return bad_input("clip {}: {}", clip.entry.name, joint.error().message);
     kept.joints[static_cast<std::size_t>(*joint)] = false;
   }
   kept.curves = clip.curves ? *clip.curves : fit_motion(clip.motion, {}).clip;

@@ -169,11 +169,13 @@ Result<int> find_joint(const Model& model, const Humanoid& humanoid, std::string
   if (bone && humanoid.find(*bone) >= 0) return humanoid.find(*bone);
   for (std::size_t i = 0; i < humanoid_bone_count; ++i)
     if (humanoid.node[i] >= 0) known.emplace_back(humanoid_name(static_cast<HumanoidBone>(i)));
+  // A skeleton may come from no file.
+  const std::string of = model.file.empty() ? "" : model.file + ": ";
   if (bone)
-    return bad_input("{}: no joint of this model is the humanoid bone \"{}\"; `sinew info` lists the bones it has",
-                     model.file, name);
-  return bad_input("{}: no joint \"{}\"{}: give a node's name, or a VRM humanoid name such as \"leftLowerArm\"",
-                   model.file, name, did_you_mean(name, known));
+    return bad_input("{}no joint of this model is the humanoid bone \"{}\"; `sinew info` lists the bones it has", of,
+                     name);
+  return bad_input("{}no joint \"{}\"{}: give a node's name, or a VRM humanoid name such as \"leftLowerArm\"", of, name,
+                   did_you_mean(name, known));
 }
 
 }  // namespace sinew
