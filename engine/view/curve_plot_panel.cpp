@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/render/plot.h"
+
 namespace sinew {
 namespace {
 
@@ -26,7 +28,7 @@ void draw_ground(ImDrawList& draw, const PlotScale& scale, const char* unit, boo
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     draw.AddText({at.x - align * size.x, at.y - 0.5f * size.y}, text_colour, words.c_str());
   };
-  const double rise = round_step(scale.y.length(), std::max(2, static_cast<int>(scale.size.y / 28.0)));
+  const double rise = round_step(scale.y.length(), std::max(2, static_cast<int>(scale.size.y / 40.0)));
   for (double y = std::ceil(scale.y.low / rise) * rise; y <= scale.y.high; y += rise) {
     const float at = pixel(scale.to_pixel(scale.x.low, y)).y;
     draw.AddLine({low.x, at}, {high.x, at}, grid_colour);
@@ -34,7 +36,7 @@ void draw_ground(ImDrawList& draw, const PlotScale& scale, const char* unit, boo
       text({low.x - 5.0f, at}, 1.0f, fmt::format("{:g}", std::abs(y) < 1e-9 * rise ? 0.0 : y));
   }
   if (!with_times) return;
-  const double run = round_step(scale.x.length(), std::max(2, static_cast<int>(scale.size.x / 70.0)));
+  const double run = round_step(scale.x.length(), std::max(2, static_cast<int>(scale.size.x / 100.0)));
   for (double x = std::ceil(scale.x.low / run) * run; x <= scale.x.high; x += run) {
     const float at = pixel(scale.to_pixel(x, scale.y.low)).x;
     draw.AddLine({at, low.y}, {at, high.y}, grid_colour);

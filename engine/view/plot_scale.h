@@ -39,13 +39,4 @@ struct PlotScale {
   double slope_of(double pixel_slope) const { return -pixel_slope * (size.x / x.length()) / (size.y / y.length()); }
 };
 
-/// The round step, 1, 2 or 5 times a power of ten, of which at most `most` fit into a length above 0.
-inline double round_step(double length, int most) {
-  const double least = length / most;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least * (1.0 - 1e-9)) return factor * power;
-  return 10.0 * power;
-}
-
 }  // namespace sinew

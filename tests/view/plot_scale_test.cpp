@@ -29,16 +29,5 @@ TEST(PlotRange, IsNeverEmpty) {
   EXPECT_DOUBLE_EQ(range.widened(0.1, 2.0).low, 3.0);
 }
 
-TEST(RoundStep, Is125AndNeverTooFine) {
-  for (double length = 0.003; length < 5000.0; length *= 1.37)
-    for (const int most : {2, 5, 11}) {
-      const double step = round_step(length, most);
-      EXPECT_LE(length / step, most * (1.0 + 1e-6));
-      EXPECT_GE(length / step, most / 2.5 * (1.0 - 1e-6)) << "the next finer one would be too fine";
-      const double digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
-      EXPECT_TRUE(std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6) << step;
-    }
-}
-
 }  // namespace
 }  // namespace sinew::test
