@@ -45,24 +45,6 @@ void set_region(Character& character, double frame, FaceChannel channel, const F
   if (!is_new) set_value(track->second, frame, std::move(numbers));
 }
 
-/// Whether measures make a head at every age that is asked for.
-bool is_head(const HeadSpec& head) {
-  return std::ranges::all_of(head.age.keys,
-                             [&](const Key<double>& key) { return head_measures(head, key.frame).has_value(); });
-}
-
-/// What `made` makes of the value that is nearest to `wanted`, on the way from `now`, and still a head.
-template <class Made>
-HeadSpec furthest_head(double now, double wanted, Made made) {
-  if (is_head(made(wanted))) return made(wanted);
-  double good = 0.0, bad = 1.0;
-  for (int i = 0; i < 12; ++i) {
-    const double share = 0.5 * (good + bad);
-    (is_head(made(std::lerp(now, wanted, share))) ? good : bad) = share;
-  }
-  return made(std::lerp(now, wanted, good));
-}
-
 }  // namespace
 
 std::optional<ShownFace> shown_face(const StagedCharacter& character, double frame) {
@@ -141,24 +123,16 @@ bool has_drawn_head(const Character& character) {
 }
 
 void set_head_age(Character& character, double frame, double age) {
-  const HeadSpec from = character.head.value_or(HeadSpec{});
-  character.head = furthest_head(from.age.value_at(frame), std::clamp(age, 0.0, 1.0), [&](double value) {
-    HeadSpec head = from;
-    set_value(head.age, frame, value);
-    return head;
-  });
+  if (!character.head) character.head.emplace();
+  set_value(character.head->age, frame, std::clamp(age, 0.0, 1.0));
 }
 
 void set_skull(Character& character, const std::string& outline, double weight) {
-  const HeadSpec from = character.head.value_or(HeadSpec{});
-  const auto known = from.skull.find(outline);
-  const double now = known == from.skull.end() ? 0.0 : known->second;
-  character.head = furthest_head(now, std::clamp(weight, 0.0, 1.0), [&](double value) {
-    HeadSpec head = from;
-    head.skull[outline] = value;
-    if (value <= 0.0) head.skull.erase(outline);
-    return head;
-  });
+  if (!character.head) character.head.emplace();
+  if (weight > 0.0)
+    character.head->skull[outline] = std::min(weight, 1.0);
+  else
+    character.head->skull.erase(outline);
 }
 
 }  // namespace sinew

@@ -49,8 +49,7 @@ void remove_face_key(Character& character, double frame);
 
 /// True where the scene can give this character another head.
 bool has_drawn_head(const Character& character);
-/// The head of another age or skull, as far as measures go that make a head. Only builtin:head can have keys of its
-/// age. Weights of 0 are left out.
+/// The head of another age or skull. Only builtin:head can have keys of its age. Weights of 0 are left out.
 void set_head_age(Character& character, double frame, double age);
 void set_skull(Character& character, const std::string& outline, double weight);
 
