@@ -9,7 +9,7 @@ bool HeadWork::take(const Document& document, const Scene& scene, const std::str
   for (std::size_t i = 0; i < std::min(scene.characters.size(), now.characters.size()); ++i) {
     const Character& character = scene.characters[i];
     // A slider that comes back to the head that is shown takes back what it asked for.
-    const bool comes_back = is_busy() && drawn_.character == i && merge == merge_;
+    const bool comes_back = is_busy() && drawn_ && drawn_->character == i && merge == merge_;
     if (!character.head || (character.head == now.characters[i].head && !comes_back)) continue;
     // While a head is drawn later ones wait their turn, spare or not.
     if (!is_busy() && !needs_model(document.stage(), character)) continue;
@@ -24,10 +24,10 @@ bool HeadWork::take(const Document& document, const Scene& scene, const std::str
 }
 
 void HeadWork::start(const Document& document) {
-  drawn_ = *wanted_;
+  drawn_ = wanted_;
   Scene scene = document.scene();
-  scene.characters[drawn_.character].head = drawn_.head;
-  drawing_ = std::async(std::launch::async, [scene = std::move(scene), character = drawn_.character,
+  scene.characters[drawn_->character].head = drawn_->head;
+  drawing_ = std::async(std::launch::async, [scene = std::move(scene), character = drawn_->character,
                                              options = document.options(), source = document.stage().source] {
     return ready_character(scene, character, options, source);
   });
@@ -36,8 +36,9 @@ void HeadWork::start(const Document& document) {
 std::optional<Result<Touched>> HeadWork::finish(Document& document) {
   if (!drawing_.valid() || drawing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
   auto ready = drawing_.get();
-  if (!wanted_ || drawn_.character >= document.scene().characters.size()) {
-    wanted_.reset();
+  if (!drawn_) {
+    // It was dropped while it was drawn; another one may have been asked for since.
+    if (wanted_) start(document);
     return {};
   }
   if (!ready) {
@@ -46,9 +47,9 @@ std::optional<Result<Touched>> HeadWork::finish(Document& document) {
   }
   document.lend(std::move(*ready));
   Scene scene = document.scene();
-  scene.characters[drawn_.character].head = drawn_.head;
+  scene.characters[drawn_->character].head = drawn_->head;
   auto done = document.edit(std::move(scene), label_, merge_);
-  if (!done || *wanted_ == drawn_)
+  if (!done || wanted_ == drawn_)
     wanted_.reset();
   else
     start(document);

@@ -17,7 +17,10 @@ class HeadWork {
   /// Puts a head that is ready into the document. Nothing where none is, or where it was dropped meanwhile.
   std::optional<Result<Touched>> finish(Document& document);
   /// Forgets what was asked for.
-  void drop() { wanted_.reset(); }
+  void drop() {
+    wanted_.reset();
+    drawn_.reset();
+  }
   /// The slider was let go: the edits that merge end with the last head.
   void seal() { seals_ = true; }
 
@@ -35,7 +38,7 @@ class HeadWork {
   void start(const Document& document);
 
   std::optional<Wanted> wanted_;
-  Wanted drawn_{};  ///< what drawing_ draws
+  std::optional<Wanted> drawn_;  ///< what drawing_ draws, unless that was dropped
   std::string label_, merge_;
   bool seals_ = false;
   std::future<Result<StagedCharacter>> drawing_;

@@ -35,6 +35,7 @@ void MotionBrowser::use_library(const std::filesystem::path& library) {
   const std::filesystem::path wanted = library.empty() ? default_library() : library;
   if (listed_ && wanted == library_) return;
   library_ = wanted;
+  task_.cancel();
   clip_.reset();
   editor_.reset();
   refresh();
@@ -62,12 +63,11 @@ void MotionBrowser::refresh() {
 }
 
 void MotionBrowser::open(const std::string& clip) {
-  saving_ = false;
-  task_.start("reading " + clip, [file = library_, clip](TaskWatch&) { return load(file, clip); });
+  if (task_.start("reading " + clip, [file = library_, clip](TaskWatch&) { return load(file, clip); })) saving_ = false;
 }
 
 void MotionBrowser::fit(double tolerance) {
-  if (!clip_) return;
+  if (!clip_ || task_.running()) return;
   saving_ = false;
   task_.start("fitting " + clip_->entry.name, [file = library_, clip = *clip_, tolerance](TaskWatch& watch) {
     return fit_and_keep(file, clip, tolerance, watch);

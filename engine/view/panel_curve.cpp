@@ -117,9 +117,9 @@ void draw_clip(const Document& document, ViewState& state) {
   }
   choose_joint(clip->motion.skeleton, panel.choice.joint);
   choose_axis(panel.choice.axis);
-  const PiecewisePolynomial& curve = editor->curve(panel.choice);
   draw_fit(panel);
-  draw_edits(panel, *editor);
+  draw_edits(panel, *editor);  // may take an edit, and its curve, back
+  const PiecewisePolynomial& curve = editor->curve(panel.choice);
   PlottedCurve plotted;
   plotted.times = editor->times();
   plotted.samples = editor->samples(panel.choice);

@@ -55,11 +55,17 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   if (auto ok = make_pictures(*shown, problems); !ok) return ok;
   heads_.drop();
   shown_ = std::move(shown);
+  // What was being dragged, asked for or singled out belongs to what was shown before.
+  tools_ = {};
+  state_.face_drag.reset();
+  state_.kept_muscle.reset();
+  state_.edit.reset();
+  state_.motion.drag.reset();
   state_.file = scene.scene.empty() ? "the embedded scene" : scene.scene;
-  const bool is_scene_file = std::filesystem::path(scene.scene).extension() == ".json";
-  state_.save_as = is_scene_file ? scene.scene : "scene.json";
+  const bool of_file = is_scene_file(scene.scene);
+  state_.save_as = of_file ? scene.scene : "scene.json";
   state_.film = std::filesystem::path(state_.save_as).replace_extension(".mp4").string();
-  disk_.watch(is_scene_file ? scene.scene : "");
+  disk_.watch(of_file ? scene.scene : "");
   state_.changed_on_disk = false;
   camera_in_file_ = this->document().scene().camera;
   if (!scene.scene.empty() && !is_built_in_model(scene.scene)) remember(scene.scene);
@@ -127,7 +133,7 @@ Result<ViewerReport> ViewerSession::run(Window& window) {
     window.take_events(!moving && to_rest <= 0, works ? progress_seconds : idle_seconds);
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
     if (window.had_events()) to_rest = frames_to_rest;
-    if (works || follow_disk()) to_rest = std::max(to_rest, 1);
+    if (works || follow_disk()) to_rest = frames_to_rest;
     if (!moving && to_rest-- <= 0) {
       last = Clock::now();
       continue;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -6,11 +7,8 @@
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
-namespace {
 
 bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".json"; }
-
-}  // namespace
 
 void ViewerSession::go_on_from(const Preferences& preferences, const std::filesystem::path& file) {
   preferences_ = preferences;
@@ -59,7 +57,9 @@ void ViewerSession::take_opened() {
   if (reloading_) {
     // What the user was looking at stays, unless the file says otherwise now.
     state_.playback.go_to(frame);
-    state_.joint = joint;
+    const auto& characters = document().stage().characters;
+    const auto listed = characters.empty() ? std::vector<ListedJoint>{} : listed_joints(characters.front());
+    if (std::ranges::find(listed, joint, &ListedJoint::name) != listed.end()) state_.joint = joint;
     if (camera_in_file_ == before) document().move_camera(seen_from);
   }
   const char* done = std::exchange(reloading_, false) ? " read again" : " opened";

@@ -13,7 +13,9 @@ void ViewerSession::look_from(const OrbitCamera& camera) {
 
 void ViewerSession::take_pointer() {
   const ImGuiIO& io = ImGui::GetIO();
-  if (tools_.work(document(), state_, maker().shot(state_.playback.shown()).viewpoint) && io.MouseWheel == 0.0f) return;
+  const bool used = tools_.work(document(), state_, maker().shot(state_.playback.shown()).viewpoint);
+  // Over a handle the wheel still zooms; while one is dragged the camera stands still.
+  if (used && (io.MouseWheel == 0.0f || ImGui::IsMouseDown(ImGuiMouseButton_Left))) return;
   if (io.WantCaptureMouse) return;
   const double height = std::max(1.0f, io.DisplaySize.y);
   OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
@@ -21,12 +23,16 @@ void ViewerSession::take_pointer() {
   bool moved = io.MouseWheel != 0.0f;
   if (moved) camera.zoom(io.MouseWheel);
   if (across != 0.0 || down != 0.0) {
-    const bool pans = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
-                      (ImGui::IsMouseDown(ImGuiMouseButton_Left) && io.KeyShift);
+    // What the pointer went in the frame of the press it went before it.
+    const auto held = [&](ImGuiMouseButton button) {
+      return io.MouseDown[button] && io.MouseDownDuration[button] > 0.0f;
+    };
+    const bool pans =
+        held(ImGuiMouseButton_Right) || held(ImGuiMouseButton_Middle) || (held(ImGuiMouseButton_Left) && io.KeyShift);
     if (pans) {
       camera.pan(across, down);
       moved = true;
-    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    } else if (held(ImGuiMouseButton_Left)) {
       camera.orbit(across, down);
       moved = true;
     }

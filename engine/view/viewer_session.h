@@ -16,6 +16,9 @@
 
 namespace sinew {
 
+/// By its name; everything else is a model.
+bool is_scene_file(const std::string& file);
+
 /// What is shown in the window, and all that the user does with it.
 class ViewerSession {
  public:
