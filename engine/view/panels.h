@@ -71,7 +71,7 @@ struct ViewState {
   std::optional<Edit> edit;
   bool edit_ended = false;  ///< the slider was let go
   bool undo = false, redo = false, save = false, copy_command = false, screenshot = false, frame_all = false,
-       close = false;
+       frame_joint = false, close = false;
   std::optional<View> view;             ///< one of the standard views was asked for
   std::optional<SceneOptions> options;  ///< deformer, bulge or strength were changed
   std::optional<std::string> open;      ///< another file

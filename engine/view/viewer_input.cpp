@@ -103,6 +103,9 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
     case KeyboardKey::seven:
       state_.view = View::top;
       break;
+    case KeyboardKey::period:
+      state_.frame_joint = true;
+      break;
     case KeyboardKey::space:
       playback.playing = !playback.playing;
       break;

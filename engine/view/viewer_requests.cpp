@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "engine/app/panel.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -15,6 +16,16 @@ void ViewerSession::choose_view(View view) {
 void ViewerSession::toggle_projection() {
   OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
   camera.rays = camera.rays == Rays::parallel ? Rays::from_eye : Rays::parallel;
+  look_from(camera);
+}
+
+void ViewerSession::frame_joint() {
+  if (state_.joint.empty()) return say("choose a joint first: it is framed");
+  const int frame = state_.playback.shown();
+  const auto joint = find_zoom(document().stage(), state_.joint, state_.character);
+  if (!joint) return say(joint.error());
+  OrbitCamera camera = OrbitCamera::of(maker(), frame, aspect());
+  camera.frame(zoom_position(document().stage(), *joint, frame), joint->reach, aspect());
   look_from(camera);
 }
 
@@ -66,6 +77,7 @@ void ViewerSession::take_requests(Window& window) {
     camera.frame(maker().bounds(), aspect());
     look_from(camera);
   }
+  if (std::exchange(state_.frame_joint, false)) frame_joint();
   if (std::exchange(state_.screenshot, false)) take_photo();
   if (std::exchange(state_.copy_command, false)) {
     const std::string command =
