@@ -3,9 +3,12 @@
 #include <chrono>
 #include <cmath>
 
+#include <spdlog/spdlog.h>
+
 #include "engine/core/interrupt.h"
 #include "engine/model/scene_words.h"
 #include "engine/render/text.h"
+#include "engine/view/display_loss.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -200,8 +203,16 @@ Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOpti
   if (const auto font = Font::find_file()) wanted.font = font->string();
   auto window = Window::create(system, device, wanted);
   if (!window) return pass_on(std::move(window));
+  at_display_loss([&] {
+    spdlog::error("the connection to the display broke");
+    session.rescue();
+  });
   auto report = session.run(*window);
-  if (report) report->problems = std::move(problems);
+  at_display_loss({});
+  if (report)
+    report->problems = std::move(problems);
+  else
+    session.rescue();
   return report;
 }
 

@@ -87,6 +87,15 @@ void ViewerSession::save() {
   say(state_.save_as + " written");
 }
 
+void ViewerSession::rescue() {
+  if (!shown_ || !document().is_changed()) return;
+  const std::string file = std::filesystem::path(state_.save_as).replace_extension(".rescued.json").string();
+  if (auto ok = document().save(file); ok)
+    spdlog::warn("edits that were not saved are kept in {}", file);
+  else
+    spdlog::error("edits that were not saved are lost: {}", ok.error().message);
+}
+
 void ViewerSession::take_file_requests(Window& window) {
   for (const auto& file : window.take_dropped_files()) open_beside(file.string());
   if (const auto file = std::exchange(state_.open, std::nullopt); file && !file->empty()) open_beside(*file);

@@ -33,6 +33,9 @@ class ViewerSession {
   /// Shows a message.
   void tell(const std::string& message) { say(message, true); }
   Result<ViewerReport> run(Window& window);
+  /// Keeps edits that are not saved in a file of their own, for a window that ends without asking, and says so in the
+  /// log.
+  void rescue();
 
  private:
   Result<void> show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems);
@@ -58,6 +61,7 @@ class ViewerSession {
   void look_from(const OrbitCamera& camera);
   void choose_view(View view);
   void toggle_projection();
+  void frame_joint();
   void take_photo();
 
   // viewer_files.cpp
