@@ -12,7 +12,8 @@ namespace sinew {
 enum class Touched {
   look,   ///< camera and look alone
   poses,  ///< joints' keys, motions: the stage's bounds, nothing on the device
-  all,    ///< characters, muscles, clips: everything on the device
+  muscles,  ///< numbers of muscles, of which there are as many as before
+  all,      ///< characters, clips, other muscles: everything on the device
 };
 
 class Document {

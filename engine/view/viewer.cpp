@@ -82,6 +82,7 @@ Result<void> ViewerSession::follow(Touched what) {
   stale_ = true;
   state_.playback.set_range(document().stage().range);
   if (what == Touched::poses) bounds_stale_ = true;
+  if (what == Touched::muscles) return shown_->picture->follow_muscles();
   if (what != Touched::all) return {};
   bounds_stale_ = false;
   std::vector<std::string> problems;

@@ -97,6 +97,12 @@ void WindowPicture::follow_stage() {
   if (other_) other_->follow_stage();
 }
 
+Result<void> WindowPicture::follow_muscles() {
+  if (other_)
+    if (auto ok = other_->follow_muscles(); !ok) return ok;
+  return maker_.follow_muscles();
+}
+
 Result<void> WindowPicture::resize(const PictureSize& size) {
   look_.size = size;
   if (other_)
