@@ -104,7 +104,7 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
       state_.view = View::top;
       break;
     case KeyboardKey::space:
-      playback.playing = !playback.playing;
+      if (!playback.toggle()) say(nothing_to_play);
       break;
     case KeyboardKey::tab:
       state_.panels = !state_.panels;
