@@ -40,7 +40,7 @@ void draw_overlays(bool with_face, Look& look, const Ask& ask) {
   static constexpr Overlay shown[] = {Overlay::skeleton, Overlay::bones,  Overlay::muscles,    Overlay::wire,
                                       Overlay::wire_all, Overlay::arrows, Overlay::projection, Overlay::box,
                                       Overlay::axes,     Overlay::guides, Overlay::regions};
-  if (ImGui::BeginTable("overlays", 3, ImGuiTableFlags_SizingStretchSame)) {
+  if (ImGui::BeginTable("overlays", 3, ImGuiTableFlags_SizingStretchProp)) {
     for (const Overlay overlay : shown) {
       const std::string name = overlay_names()[static_cast<std::size_t>(overlay)];
       bool on = std::ranges::find(look.overlay, overlay) != look.overlay.end();
