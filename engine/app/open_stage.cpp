@@ -155,9 +155,13 @@ Result<void> add_poses(Stage& stage, const std::vector<PoseOption>& poses) {
   return {};
 }
 
+PlacementContext placement_context(const StagedCharacter& character) {
+  return {*character.model, character.mesh, character.rest, character.humanoid};
+}
+
 Result<void> place_muscles(StagedCharacter& character, bool bare_model, const Place& place,
                            std::vector<std::string>& problems) {
-  const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
+  const PlacementContext context = placement_context(character);
   if (bare_model) {
     character.muscles = default_muscles(context, problems);
     return {};
@@ -187,6 +191,10 @@ Result<void> add_emotions(StagedCharacter& character, const SceneOptions& option
   return {};
 }
 
+std::string named_problem(const StagedCharacter& character, const std::string& problem) {
+  return fmt::format("{}: {}", character.scene.model.string(), problem);
+}
+
 /// What the scene makes of the model, which is there already.
 Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options, bool bare_model, double fps,
                          const Place& place, std::vector<std::string>& problems) {
@@ -211,8 +219,7 @@ Result<void> prepare_use(StagedCharacter& character, const SceneOptions& options
   if (character.mesh.triangles.empty()) found.push_back("has no triangles; nothing of it is shown");
   for (const PlacedMuscle& placed : character.muscles)
     for (std::string& problem : placement_problems(placed)) found.push_back(std::move(problem));
-  for (const std::string& problem : found)
-    problems.push_back(fmt::format("{}: {}", character.scene.model.string(), problem));
+  for (const std::string& problem : found) problems.push_back(named_problem(character, problem));
   return {};
 }
 
@@ -392,6 +399,37 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
   for (StagedCharacter* left : known)
     if (left->model && next.spare.size() < most_spare_models) next.spare.push_back(std::move(*left));
   stage = std::move(next);
+  return {};
+}
+
+Result<void> restage_muscles(Stage& stage, const Scene& scene, const SceneOptions& options) {
+  std::vector<std::vector<PlacedMuscle>> placed(stage.characters.size());
+  for (std::size_t c = 0; c < stage.characters.size(); ++c) {
+    const StagedCharacter& character = stage.characters[c];
+    const std::vector<MuscleSpec>&before = character.scene.muscles, &wanted = scene.characters[c].muscles;
+    for (std::size_t m = 0; m < wanted.size(); ++m) {
+      if (wanted[m] == before[m]) {
+        placed[c].push_back(character.muscles[m]);
+        continue;
+      }
+      auto muscle = place_muscle(placement_context(character), wanted[m]);
+      if (!muscle) return Place(stage.source, false, c).at(fmt::format("/muscles/{}", m), std::move(muscle));
+      placed[c].push_back(std::move(*muscle));
+    }
+  }
+  for (std::size_t c = 0; c < stage.characters.size(); ++c) {
+    StagedCharacter& character = stage.characters[c];
+    for (const PlacedMuscle& old : character.muscles)
+      for (const std::string& problem : placement_problems(old))
+        std::erase(stage.problems, named_problem(character, problem));
+    character.muscles = std::move(placed[c]);
+    character.scene.muscles = scene.characters[c].muscles;
+    for (const PlacedMuscle& muscle : character.muscles)
+      for (const std::string& problem : placement_problems(muscle))
+        stage.problems.push_back(named_problem(character, problem));
+  }
+  stage.scene = scene;
+  stage.scene_hash = hash_scene(stage, options);
   return {};
 }
 

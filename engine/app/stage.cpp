@@ -89,8 +89,7 @@ CharacterState character_state(const Stage& stage, std::size_t index, double fra
   if (character.face.targets) character.face.targets->add_weights(character.face.track, frame, state.morph_weights);
   for (const PlacedMuscle& placed : character.muscles) {
     const double angle = placed.driver.degrees(state.global);
-    const Muscle& muscle = placed.muscle;
-    state.activations.push_back(stage.strength * muscle_activation(angle, muscle.rest_angle, muscle.reference_angle));
+    state.activations.push_back(stage.strength * muscle_activation(placed.muscle, angle));
   }
   return state;
 }

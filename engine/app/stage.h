@@ -71,6 +71,10 @@ Result<Stage> open_stage(const SceneOptions& options);
 /// `options` as in open_stage(), but not its scene. Fails as open_stage() does and then leaves the stage as it was.
 Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options);
 
+/// The same for a scene that differs in the numbers of its muscles alone, of which it has as many: nothing else is made
+/// anew. Fails as bad_input where one cannot be placed, and then leaves the stage as it was.
+Result<void> restage_muscles(Stage& stage, const Scene& scene, const SceneOptions& options);
+
 /// True where restage() would have to read or draw this character's model.
 bool needs_model(const Stage& stage, const Character& character);
 

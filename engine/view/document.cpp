@@ -4,6 +4,7 @@
 
 #include "engine/core/files.h"
 #include "engine/io/scene_file.h"
+#include "engine/model/scene_words.h"
 #include "engine/view/track_edit.h"
 
 namespace sinew {
@@ -15,26 +16,37 @@ std::pair<bool, bool> wires(const Look& look) {
   return {has(Overlay::wire), has(Overlay::wire_all)};
 }
 
+/// Muscles of the same names, in the same order, on as many characters.
+bool has_same_muscles(const Character& a, const Character& b) {
+  return std::ranges::equal(a.muscles, b.muscles, {}, muscle_name, muscle_name);
+}
+
 /// What differs between two scenes, at most.
 Touched touched(const Scene& a, const Scene& b) {
   if (a.look.joint != b.look.joint || a.look.shading != b.look.shading || a.look.compare != b.look.compare ||
       wires(a.look) != wires(b.look))
     return Touched::all;
   if (a.fps != b.fps || a.frames != b.frames || a.characters.size() != b.characters.size()) return Touched::all;
-  Touched most = Touched::look;
+  bool muscles = false, poses = false;
   for (std::size_t i = 0; i < a.characters.size(); ++i) {
-    if (a.characters[i] == b.characters[i]) continue;
+    const Character& other = b.characters[i];
     Character one = a.characters[i];
-    one.keys = b.characters[i].keys;
-    one.expressions = b.characters[i].expressions;
-    one.regions = b.characters[i].regions;
-    one.motion = b.characters[i].motion;
-    one.position = b.characters[i].position;
-    one.turn = b.characters[i].turn;
-    if (!(one == b.characters[i])) return Touched::all;
-    most = Touched::poses;
+    if (has_same_muscles(one, other)) {
+      muscles = muscles || one.muscles != other.muscles;
+      one.muscles = other.muscles;
+    }
+    if (one == other) continue;
+    one.keys = other.keys;
+    one.expressions = other.expressions;
+    one.regions = other.regions;
+    one.motion = other.motion;
+    one.position = other.position;
+    one.turn = other.turn;
+    if (!(one == other)) return Touched::all;
+    poses = true;
   }
-  return most;
+  if (muscles && poses) return Touched::all;
+  return muscles ? Touched::muscles : poses ? Touched::poses : Touched::look;
 }
 
 /// Text that a shell takes as one word.
@@ -76,7 +88,8 @@ Result<Touched> Document::show(const Scene& scene) {
     stage_.scene = scene;
     return what;
   }
-  if (auto ok = restage(stage_, scene, options_); !ok) return pass_on(std::move(ok));
+  const auto put = what == Touched::muscles ? restage_muscles : restage;
+  if (auto ok = put(stage_, scene, options_); !ok) return pass_on(std::move(ok));
   return what;
 }
 

@@ -10,9 +10,10 @@ namespace sinew {
 
 /// What an edit touched, and so what has to be made anew to show it.
 enum class Touched {
-  look,   ///< camera and look alone
-  poses,  ///< joints' keys, motions: the stage's bounds, nothing on the device
-  all,    ///< characters, muscles, clips: everything on the device
+  look,     ///< camera and look alone
+  poses,    ///< joints' keys, motions: the stage's bounds, nothing on the device
+  muscles,  ///< numbers of muscles, of which there are as many as before
+  all,      ///< characters, clips, other muscles: everything on the device
 };
 
 class Document {

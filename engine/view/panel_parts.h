@@ -6,6 +6,8 @@
 namespace sinew {
 
 void draw_file(const Document& document, ViewState& state);
+/// Asks whether a file that stands where the scene is to be saved may be replaced.
+void draw_replacing(ViewState& state);
 void draw_look(const Document& document, ViewState& state);
 void draw_deformer(const Document& document, ViewState& state);
 void draw_muscles(const Document& document, ViewState& state);
@@ -18,8 +20,9 @@ void draw_curves(const Document& document, ViewState& state);
 /// Asks for a clip of the library as the motion of the character that is chosen.
 void ask_for_clip(const Document& document, ViewState& state, const std::string& clip);
 
-/// True where a character of the scene has a face with regions.
+/// True where a character of the scene has a face that can be moved; one with regions, that can be drawn too.
 bool has_face(const Document& document);
+bool has_face_regions(const Document& document);
 
 /// Explains the item before it to a pointer that rests on it.
 void show_tip(const std::string& text);

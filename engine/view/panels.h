@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,12 +47,13 @@ struct ViewState {
   MotionPanel motion;
 
   // Files: viewer_files.cpp.
-  std::filesystem::path folder;     ///< where a file was last opened or saved
-  std::vector<std::string> recent;  ///< files, the last opened first
-  std::string open_field;           ///< name in the open field
-  bool changed_on_disk = false;     ///< the scene's file is newer than the edits that are shown
-  std::string film;                 ///< name in the record field
-  std::optional<double> recorded;   ///< share of the film that is being recorded
+  std::filesystem::path folder;             ///< where a file was last opened or saved
+  std::vector<std::string> recent;          ///< files, the last opened first
+  std::string open_field;                   ///< name in the open field
+  bool changed_on_disk = false;             ///< the scene's file is newer than the edits that are shown
+  std::string film;                         ///< name in the record field
+  std::optional<double> recorded;           ///< share of the film that is being recorded
+  bool replacing = false, replace = false;  ///< the user is asked whether a file may be replaced; the answer is yes
   bool reload = false, record = false, stop_recording = false, toggle_projection = false;
 
   /// A handle of the face that is being dragged, and all as it was before.
@@ -62,6 +64,7 @@ struct ViewState {
     Vec2 from{0.0};  ///< of the pointer, pixels
   };
   std::optional<FaceDrag> face_drag;
+  std::map<std::string, TargetAbilities> target_faces;  ///< of models by their hashes, as far as they were shown
 
   /// An edit of the scene that a panel made.
   struct Edit {

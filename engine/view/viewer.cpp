@@ -68,6 +68,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   state_.file = scene.scene.empty() ? "the embedded scene" : scene.scene;
   const bool of_file = is_scene_file(scene.scene);
   state_.save_as = of_file ? scene.scene : "scene.json";
+  own_file_ = of_file ? scene.scene : "";
   state_.film = std::filesystem::path(state_.save_as).replace_extension(".mp4").string();
   disk_.watch(of_file ? scene.scene : "");
   state_.changed_on_disk = false;
@@ -86,6 +87,7 @@ Result<void> ViewerSession::follow(Touched what) {
   stale_ = true;
   state_.playback.set_range(document().stage().range);
   if (what == Touched::poses) bounds_stale_ = true;
+  if (what == Touched::muscles) return shown_->picture->follow_muscles();
   if (what != Touched::all) return {};
   bounds_stale_ = false;
   std::vector<std::string> problems;

@@ -75,6 +75,13 @@ bool ViewerSession::follow_disk() {
   return true;
 }
 
+/// There, and neither opened nor saved by this window.
+bool ViewerSession::is_others_file() const {
+  std::error_code failed;
+  return std::filesystem::exists(state_.save_as, failed) &&
+         !std::filesystem::equivalent(state_.save_as, own_file_, failed);
+}
+
 void ViewerSession::save() {
   if (auto ok = document().save(state_.save_as); !ok) return say(ok.error());
   if (is_scene_file(state_.save_as)) {
@@ -83,6 +90,7 @@ void ViewerSession::save() {
     camera_in_file_ = document().scene().camera;
     state_.changed_on_disk = false;
   }
+  own_file_ = state_.save_as;
   remember(state_.save_as);
   say(state_.save_as + " written");
 }
@@ -105,7 +113,9 @@ void ViewerSession::take_file_requests(Window& window) {
     open_beside(state_.file);
     reloading_ = true;
   }
-  if (std::exchange(state_.save, false)) save();
+  const bool asked = std::exchange(state_.save, false), replace = std::exchange(state_.replace, false);
+  if (asked) state_.replacing = is_others_file();
+  if (replace || (asked && !state_.replacing)) save();
 }
 
 }  // namespace sinew

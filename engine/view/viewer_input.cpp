@@ -107,7 +107,7 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
       state_.frame_joint = true;
       break;
     case KeyboardKey::space:
-      playback.playing = !playback.playing;
+      if (!playback.toggle()) say(nothing_to_play);
       break;
     case KeyboardKey::tab:
       state_.panels = !state_.panels;

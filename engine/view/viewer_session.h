@@ -69,6 +69,7 @@ class ViewerSession {
   void take_opened();
   bool follow_disk();
   void save();
+  bool is_others_file() const;
   void take_file_requests(Window& window);
   void keep_preferences(const Window& window);
   void remember(const std::string& file);
@@ -103,6 +104,7 @@ class ViewerSession {
   std::future<Result<Stage>> opening_;
   SceneOptions opening_options_;
   bool reloading_ = false;  ///< what is being opened is the file that is shown
+  std::string own_file_;    ///< the scene file that was opened or saved last; empty: none
   Camera camera_in_file_;   ///< as the file was opened
   FileWatch disk_;
   Task<CaptureReport> recording_;

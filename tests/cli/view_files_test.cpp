@@ -153,5 +153,26 @@ TEST_F(ViewFiles, ASceneThatChangesOnTheDiskIsShownAnew) {
   EXPECT_EQ(picture("arm_0000.png").rgba, picture("again.png").rgba);
 }
 
+TEST_F(ViewFiles, AFileOfOthersIsReplacedOnlyWhenAskedTo) {
+  write("scene.json", "mine");
+  RunningProgram program({"view", "builtin:arm", "--size", "640x360"}, in_window());
+  wait_for_window();
+  const auto text = [&] {
+    const Bytes bytes = read("scene.json");
+    return std::string(bytes.begin(), bytes.end());
+  };
+  press("ctrl+s");
+  EXPECT_EQ(text(), "mine") << "it asks";
+  press("Escape");
+  EXPECT_EQ(text(), "mine") << "no is no";
+  press("ctrl+s");
+  press("Return");
+  EXPECT_TRUE(file_json("scene.json").contains("sinew")) << "yes is yes";
+  write("scene.json", text() + " ");
+  press("ctrl+s");
+  EXPECT_FALSE(text().ends_with(" ")) << "from then on it is the window's own";
+  EXPECT_EQ(quit(program).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace sinew::test
