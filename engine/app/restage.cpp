@@ -1,41 +1,24 @@
 #include "engine/app/complete_stage.h"
 #include "engine/app/stage_model.h"
+#include "engine/app/stage_parts.h"
 #include "engine/app/stage_use.h"
 
 namespace sinew {
 namespace {
 
 /// Kept for undoing and redoing.
-constexpr std::size_t most_spare_models = 6;
-
-bool has_model_of(const StagedCharacter& known, const Character& character) {
-  return known.model && known.scene.model == character.model && known.scene.head == character.head &&
-         known.scene.landmarks == character.landmarks;
-}
+constexpr std::size_t most_spare_models = 6, most_spare_motions = 6;
 
 }  // namespace
-
-bool needs_model(const Stage& stage, const Character& character) {
-  const auto same = [&](const StagedCharacter& known) { return has_model_of(known, character); };
-  return std::ranges::none_of(stage.characters, same) && std::ranges::none_of(stage.spare, same);
-}
-
-Result<StagedCharacter> ready_character(const Scene& scene, std::size_t character, const SceneOptions& options,
-                                        const std::string& source) {
-  const ScenePlace place(source, false, character);
-  StagedCharacter ready;
-  ready.scene = scene.characters[character];
-  if (auto ok = stage_model(ready, scene, options, place); !ok) return pass_on(std::move(ok));
-  return ready;
-}
 
 Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options) {
   Stage next;
   next.source = stage.source;
   next.scene = scene;
   next.strength = options.strength;
-  SceneOptions with_library = options;
-  if (scene.library) with_library.library = *scene.library;
+  const SceneOptions with_library = options_of(scene, options);
+  KnownMotions motions = known_motions(stage);
+  TaskWatch unwatched;
   std::vector<StagedCharacter*> known;
   for (std::vector<StagedCharacter>* list : {&stage.characters, &stage.spare})
     for (StagedCharacter& character : *list) known.push_back(&character);
@@ -72,13 +55,18 @@ Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& optio
       staged.face.problems = (*old)->face.problems;
     } else {
       taken_from.push_back(nullptr);
-      if (auto ok = stage_model(staged, scene, with_library, place); !ok) return fail(ok.error());
+      if (auto ok = stage_model(staged, scene, with_library, place, unwatched); !ok) return fail(ok.error());
     }
-    if (auto ok = stage_use(staged, with_library, false, scene.fps, place, next.problems); !ok) return fail(ok.error());
+    if (auto ok = stage_use(staged, with_library, false, scene.fps, place, motions, next.problems, unwatched); !ok)
+      return fail(ok.error());
   }
   if (auto ok = complete_stage(next, options); !ok) return fail(ok.error());
   for (StagedCharacter* left : known)
     if (left->model && next.spare.size() < most_spare_models) next.spare.push_back(std::move(*left));
+  const KnownMotions played = known_motions(next);
+  std::erase_if(motions, [&](const StagedMotion& motion) { return find_motion(played, motion.origin) != nullptr; });
+  if (motions.size() > most_spare_motions) motions.erase(motions.begin() + most_spare_motions, motions.end());
+  next.spare_motions = std::move(motions);
   stage = std::move(next);
   return {};
 }

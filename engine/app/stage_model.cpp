@@ -4,6 +4,7 @@
 #include "engine/body/headed_figure.h"
 #include "engine/face/model_face.h"
 #include "engine/io/gltf_read.h"
+#include "engine/io/mesh_read.h"
 #include "engine/model/resample.h"
 #include "engine/model/scene_words.h"
 
@@ -48,7 +49,7 @@ Result<void> draw_head(StagedCharacter& character, double frame, const ScenePlac
     auto head = DrawnHead::make(spec.value_or(HeadSpec{}), frame);
     if (!head) return place.inside("/head", std::move(head));
     character.face.head = std::make_shared<DrawnHead>(std::move(*head));
-    character.model = std::make_unique<Model>(character.face.head->model());
+    character.model = std::make_shared<Model>(character.face.head->model());
     character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
     return {};
   }
@@ -65,21 +66,21 @@ Result<void> draw_head(StagedCharacter& character, double frame, const ScenePlac
   auto headed = build_headed_figure(*figure, *measures, spec->level.value_or(default_head_level));
   if (!headed) return place.at("/head", std::move(headed));
   character.face.worn = headed->face();
-  character.model = std::make_unique<Model>(std::move(headed->model));
-  character.model->file = name;
+  headed->model.file = name;
+  character.model = std::make_shared<Model>(std::move(headed->model));
   character.model_hash =
       fmt::format("{} {} {}", name, sha256(measures_text(*measures)), spec->level.value_or(default_head_level));
   return {};
 }
 
 /// Reads the file once, so that the hash is that of what was parsed, whoever replaces the file meanwhile.
-Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
+Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes, const TaskWatch& watch) {
   const std::string name = character.scene.model.string();
   if (character.model) return {};  // it was drawn
   if (is_built_in_model(name)) {
     auto model = built_in_model(name);
     if (!model) return pass_on(std::move(model));
-    character.model = std::make_unique<Model>(std::move(*model));
+    character.model = std::make_shared<Model>(std::move(*model));
     character.model_hash = name;
     return {};
   }
@@ -88,12 +89,14 @@ Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) 
     if (!read) return pass_on(std::move(read));
     bytes = std::move(*read);
   }
+  if (auto ok = watch.check(); !ok) return ok;
   Sha256 hash;
   hash.add(*bytes);
-  auto model = read_gltf(character.scene.model, std::move(*bytes));
+  auto model = is_polygon_file(name) ? read_mesh(name) : read_gltf(name, std::move(*bytes));
   if (!model) return pass_on(std::move(model));
+  if (auto ok = watch.check(); !ok) return ok;
   character.model_hash = content_hash(hash, *model);
-  character.model = std::make_unique<Model>(std::move(*model));
+  character.model = std::make_shared<Model>(std::move(*model));
   return {};
 }
 
@@ -160,10 +163,14 @@ Result<void> lay_out(StagedCharacter& character, const SceneOptions& options) {
 }  // namespace
 
 Result<void> stage_model(StagedCharacter& character, const Scene& scene, const SceneOptions& options,
-                         const ScenePlace& place, std::optional<Bytes> bytes) {
+                         const ScenePlace& place, TaskWatch& watch, std::optional<Bytes> bytes) {
+  if (auto ok = watch.check(); !ok) return ok;
   if (auto ok = draw_head(character, scene.frames.value_or(FrameSpan{}).first, place); !ok) return ok;
-  if (auto ok = load_model(character, std::move(bytes)); !ok) return place.at("/model", std::move(ok));
+  if (auto ok = load_model(character, std::move(bytes), watch); !ok) return place.at("/model", std::move(ok));
+  watch.advance();
+  if (auto ok = watch.check(); !ok) return ok;
   if (auto ok = lay_out(character, options); !ok) return place.at("/model", std::move(ok));
+  watch.advance();
   return {};
 }
 
