@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "engine/view/listed_joints.h"
 #include "engine/view/motion_panel.h"
 #include "engine/view/playback.h"
+#include "engine/view/skin_panel.h"
+#include "engine/view/task.h"
 #include "engine/view/window_picture.h"
 
 namespace sinew {
@@ -43,6 +46,7 @@ struct ViewState {
   const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
   std::vector<DockedPanel> docked;        ///< that were drawn
   MotionPanel motion;
+  SkinPanel skin;
 
   // Files: viewer_files.cpp.
   std::filesystem::path folder;     ///< where a file was last opened or saved
@@ -50,8 +54,8 @@ struct ViewState {
   std::string open_field;           ///< name in the open field
   bool changed_on_disk = false;     ///< the scene's file is newer than the edits that are shown
   std::string film;                 ///< name in the record field
-  std::optional<double> recorded;   ///< share of the film that is being recorded
-  bool reload = false, record = false, stop_recording = false, toggle_projection = false;
+  bool records = false;             ///< a film is being recorded
+  bool reload = false, record = false, toggle_projection = false;
 
   /// A handle of the face that is being dragged, and all as it was before.
   struct FaceDrag {
@@ -85,5 +89,8 @@ void set_style();
 
 /// Draws all panels for this frame.
 void draw_panels(const Document& document, ViewState& state);
+
+/// What runs beside the window, each with its progress and a way to stop it, over the picture's lower edge.
+void draw_works(std::span<WorkBeside* const> works, const ViewState& state);
 
 }  // namespace sinew

@@ -45,7 +45,10 @@ Result<void> ViewerSession::open(const SceneOptions& scene, std::vector<std::str
   auto stage = open_stage(scene);
   if (!stage) return pass_on(std::move(stage));
   problems.insert(problems.end(), stage->problems.begin(), stage->problems.end());
-  return show_stage(std::move(*stage), scene, problems);
+  stage->bounds = stage_bounds(*stage);
+  if (auto ok = show_stage(std::move(*stage), scene, problems); !ok) return ok;
+  if (const std::string unbound = without_skin(); !unbound.empty()) say(unbound);
+  return {};
 }
 
 Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems) {
@@ -53,7 +56,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   if (!document) return pass_on(std::move(document));
   auto shown = std::make_unique<Shown>(std::move(*document));
   if (auto ok = make_pictures(*shown, problems); !ok) return ok;
-  heads_.drop();
+  edits_.drop();
   shown_ = std::move(shown);
   // What was being dragged, asked for or singled out belongs to what was shown before.
   tools_ = {};
@@ -66,7 +69,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   state_.save_as = of_file ? scene.scene : "scene.json";
   state_.film = std::filesystem::path(state_.save_as).replace_extension(".mp4").string();
   disk_.watch(of_file ? scene.scene : "");
-  state_.changed_on_disk = false;
+  state_.changed_on_disk = bounds_stale_ = false;
   camera_in_file_ = this->document().scene().camera;
   if (!scene.scene.empty() && !is_built_in_model(scene.scene)) remember(scene.scene);
   state_.joint.clear();
@@ -81,9 +84,8 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
 Result<void> ViewerSession::follow(Touched what) {
   stale_ = true;
   state_.playback.set_range(document().stage().range);
-  if (what == Touched::poses) bounds_stale_ = true;
+  bounds_stale_ = bounds_stale_ || what != Touched::look;
   if (what != Touched::all) return {};
-  bounds_stale_ = false;
   std::vector<std::string> problems;
   return make_pictures(*shown_, problems);
 }
@@ -99,6 +101,7 @@ Result<void> ViewerSession::show_frame(Window& window) {
   take_pointer();
   take_keys(window);
   draw_panels(document(), state_);
+  draw_works(works(), state_);
   if (window.has_finer_pixels()) state_.docked.clear();
   take_requests(window);
   const int frame = state_.playback.shown();
