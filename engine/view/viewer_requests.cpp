@@ -92,13 +92,14 @@ void ViewerSession::take_photo() {
 }
 
 void ViewerSession::take_requests(Window& window) {
+  // Edits first: a file that is read meanwhile must not take their place.
+  const bool ended = std::exchange(state_.edit_ended, false);
+  take_edits();
+  if (ended) edits_.seal(document());
   take_file_requests(window);
   follow_recording();
   follow_library();
   follow_binding();
-  const bool ended = std::exchange(state_.edit_ended, false);
-  take_edits();
-  if (ended) edits_.seal(document());
   if (const auto options = std::exchange(state_.options, std::nullopt)) {
     document().set_options(options->deformer, options->bulge, options->strength);
     take_edit(Touched::all, "deformer");
