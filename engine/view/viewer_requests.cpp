@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "engine/app/panel.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -20,13 +21,25 @@ void ViewerSession::toggle_projection() {
   look_from(camera);
 }
 
+void ViewerSession::frame_joint() {
+  if (state_.joint.empty()) return say("choose a joint first: it is framed");
+  const int frame = state_.playback.shown();
+  const auto joint = find_zoom(document().stage(), state_.joint, state_.character);
+  if (!joint) return say(joint.error());
+  OrbitCamera camera = OrbitCamera::of(maker(), frame, aspect());
+  camera.frame(zoom_position(document().stage(), *joint, frame), joint->reach, aspect());
+  look_from(camera);
+}
+
 void ViewerSession::take_edit(const Result<Touched>& done, const std::string& said) {
   if (!done) return say(done.error());
   if (auto ok = follow(*done); !ok) {
+    say(ok.error());
+    // Where the device is lost the edit is rescued with all others.
+    if (ok.error().kind == ErrorKind::device_failed) return;
     // Window and document show the same: what cannot be drawn is not done.
     if (const auto back = document().take_back(); !back) spdlog::error("{}", back.error().message);
-    state_.playback.set_range(document().stage().range);
-    return say(ok.error());
+    return state_.playback.set_range(document().stage().range);
   }
   say(said);
 }
@@ -87,7 +100,7 @@ void ViewerSession::take_photo() {
     shown_->framing.cancel();
     bounds_stale_ = false;
   }
-  const auto file = shown_->picture->save_photo(state_.playback.shown(), state_.save_as);
+  const auto file = shown_->picture->save_photo(state_.playback.shown(), size_, state_.save_as);
   file ? say(*file + " written") : say(file.error());
 }
 
@@ -110,9 +123,10 @@ void ViewerSession::take_requests(Window& window) {
   if (state_.frame_all && bounds_known()) {
     state_.frame_all = false;
     OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
-    camera.frame(maker().bounds(), size_, uncovered(size_.width, size_.height, state_.docked));
+    camera.frame(maker().bounds(), aspect());
     look_from(camera);
   }
+  if (std::exchange(state_.frame_joint, false)) frame_joint();
   if (std::exchange(state_.screenshot, false)) take_photo();
   if (std::exchange(state_.copy_command, false)) {
     const std::string command =
