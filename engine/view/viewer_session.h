@@ -11,6 +11,7 @@
 #include "engine/view/panels.h"
 #include "engine/view/picture_tools.h"
 #include "engine/view/preferences.h"
+#include "engine/view/shader_reload.h"
 #include "engine/view/viewer.h"
 #include "engine/view/window_picture.h"
 
@@ -22,7 +23,8 @@ bool is_scene_file(const std::string& file);
 /// What is shown in the window, and all that the user does with it.
 class ViewerSession {
  public:
-  ViewerSession(Device& device, const ViewerOptions& options) : device_(device), options_(options) {
+  ViewerSession(Device& device, const ViewerOptions& options)
+      : device_(device), options_(options), shaders_(options.frames == 0 ? options.shaders : ShaderBuild()) {
     state_.device = device.info().name + (device.info().cpu ? " (a CPU)" : "");
     state_.save_as = "scene.json";
   }
@@ -69,6 +71,10 @@ class ViewerSession {
   void keep_preferences(const Window& window);
   void remember(const std::string& file);
 
+  // viewer_shaders.cpp
+  void take_shaders();
+  Result<void> use_shaders(std::shared_ptr<const ShaderSet> shaders);
+
   // viewer_film.cpp
   void start_recording();
   void follow_recording();
@@ -82,7 +88,8 @@ class ViewerSession {
   Result<void> show_frame(Window& window);
   /// True while anything runs beside the window.
   bool works_beside() const {
-    return opening_.valid() || heads_.is_busy() || recording_.running() || state_.motion.browser.task().running();
+    return opening_.valid() || shaders_.is_busy() || heads_.is_busy() || recording_.running() ||
+           state_.motion.browser.task().running();
   }
 
   Device& device_;
@@ -97,6 +104,7 @@ class ViewerSession {
   bool reloading_ = false;  ///< what is being opened is the file that is shown
   Camera camera_in_file_;   ///< as the file was opened
   FileWatch disk_;
+  ShaderReload shaders_;
   Task<CaptureReport> recording_;
   Preferences preferences_;
   std::filesystem::path preferences_file_;  ///< empty: none are kept

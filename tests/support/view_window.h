@@ -11,6 +11,7 @@
 #include "engine/core/files.h"
 #include "tests/support/assets.h"
 #include "tests/support/program.h"
+#include "tests/support/x_screen.h"
 
 namespace sinew::test {
 
@@ -31,7 +32,8 @@ class XServer {
       close(ends[0]);
       const std::string fd = std::to_string(ends[1]);
       freopen("/dev/null", "w", stderr);
-      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", nullptr);
+      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-fbdir",
+             folder_.path().c_str(), nullptr);
       _exit(127);
     }
     close(ends[1]);
@@ -46,9 +48,13 @@ class XServer {
     waitpid(server_, nullptr, 0);
   }
 
+  /// What it shows, for screen_pixels().
+  std::string screen() const { return (folder_.path() / "Xvfb_screen0").string(); }
+
   std::string display;  ///< ":3"; empty where the server did not start
 
  private:
+  TemporaryFolder folder_;
   pid_t server_ = -1;
 };
 
@@ -71,10 +77,20 @@ class View : public ProgramTest {
     options.folder = path("");
     return options;
   }
+  /// The same, for the program as developers build it, which ends with an exit code of its own where memory was lost.
+  ProgramOptions in_checked_window() const {
+    ProgramOptions options = in_window();
+    options.program = SINEW_CHECKED_PROGRAM;
+    options.environment["LSAN_OPTIONS"] = "exitcode=23:print_suppressions=0:suppressions=" SINEW_SOURCE_DIR
+                                          "/tests/support/leaks.supp";
+    return options;
+  }
   void act(const std::string& words) const {
     EXPECT_EQ(std::system(fmt::format("DISPLAY={} xdotool {} > /dev/null 2>&1", server_.display, words).c_str()), 0)
         << words;
   }
+  /// Pixels of the screen that are exactly this colour, 0xRRGGBB.
+  int pixels_of(std::uint32_t colour) const { return screen_pixels(server_.screen(), colour); }
   const std::string& display() const { return server_.display; }
   void press(const std::string& key) const {
     act("key " + key);
