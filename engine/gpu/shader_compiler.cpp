@@ -51,7 +51,7 @@ tl::unexpected<Error> failed(const ShaderSource& source, const std::string& log)
   std::string line, said = "it does not compile";
   while (std::getline(lines, line))
     if (line.starts_with(mark)) {
-      said = line.substr(mark.size());
+      said = line.substr(mark.size(), line.find_last_not_of(' ') + 1 - mark.size());
       break;
     }
   const std::size_t colon = said.find(':');

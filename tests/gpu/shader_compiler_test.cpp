@@ -55,14 +55,16 @@ TEST_F(ShaderCompiler, MakesTheWordsThatTheBuildMakes) {
 }
 
 TEST_F(ShaderCompiler, AnErrorNamesFileAndLine) {
-  write("wrong.frag", "#version 460\nlayout(location = 0) out vec4 colour;\nvoid main() {\n  colour = vec4(nothing);\n}\n");
+  write("wrong.frag",
+        "#version 460\nlayout(location = 0) out vec4 colour;\nvoid main() {\n  colour = vec4(nothing);\n}\n");
   const std::string said = fault("wrong.frag");
   EXPECT_TRUE(said.starts_with("wrong.frag:4: ")) << said;
   EXPECT_NE(said.find("'nothing' : undeclared identifier"), std::string::npos) << said;
 }
 
 TEST_F(ShaderCompiler, AnErrorInWhatIsIncludedNamesThatFile) {
-  const std::string includes = "#version 460\n#extension GL_GOOGLE_include_directive : require\n#include \"part.glsl\"\n";
+  const std::string includes =
+      "#version 460\n#extension GL_GOOGLE_include_directive : require\n#include \"part.glsl\"\n";
   write("whole.vert", includes + "void main() { gl_Position = place(); }\n");
   EXPECT_TRUE(fault("whole.vert").starts_with("whole.vert:3: ")) << "the part is missing: " << fault("whole.vert");
   write("part.glsl", "vec4 place() {\n  return vec3(1.0);\n}\n");

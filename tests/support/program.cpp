@@ -88,8 +88,8 @@ pid_t spawn(const Arguments& arguments, const ProgramOptions& options, int out, 
   posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
   if (!options.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
   pid_t child = -1;
-  const int failed =
-      posix_spawn(&child, words.front().c_str(), &actions, nullptr, pointers(words).data(), pointers(environment).data());
+  const int failed = posix_spawn(&child, words.front().c_str(), &actions, nullptr, pointers(words).data(),
+                                 pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error("cannot start " + words.front());
   // Of the child and not of the test, as it starts: long before it writes or takes much memory.
