@@ -17,7 +17,9 @@ const fs::path shaders = fs::path(SINEW_SOURCE_DIR) / "shaders";
 class ShaderCompiler : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / "shader_compiler_test";
+    // Tests run beside each other.
+    const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(::testing::TempDir()) / ("shader_compiler_" + test);
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

@@ -24,6 +24,10 @@ ShaderSet carried() {
 class ShaderReloadTest : public ::testing::Test {
  protected:
   void SetUp() override {
+    // Tests run beside each other.
+    const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(::testing::TempDir()) / ("shader_reload_" + test);
+    fs::remove_all(folder_);
     fs::create_directories(folder_);
     write("a");
   }
@@ -53,7 +57,7 @@ class ShaderReloadTest : public ::testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::path(::testing::TempDir()) / "shader_reload_test";
+  fs::path folder_;
 };
 
 TEST_F(ShaderReloadTest, WithoutACompilerNothingIsFollowed) {
