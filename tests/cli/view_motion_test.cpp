@@ -107,10 +107,8 @@ std::string random_input(std::mt19937& random) {
 // No crash, no message of the validation layer, no memory lost. Seconds of input: SINEW_RANDOM_INPUT, 15 without it.
 // Seeds differ where it is long: every minute is another one.
 TEST_F(ViewMotion, RandomInputDoesNoHarm) {
-  if (const ProgramResult lost = lose_memory(); lost.exit_code != leaked) {
-    if (assets_required()) FAIL() << "SINEW_REQUIRE_ASSETS is 1, but lost memory is not found" << lost;
-    GTEST_SKIP() << "SKIPPED: LeakSanitizer does not work here" << lost;
-  }
+  find_leaks_or_skip();
+  if (HasFatalFailure() || IsSkipped()) return;
   std::filesystem::copy_file(arm_scene, path("arm.json"));
   const char* asked = std::getenv("SINEW_RANDOM_INPUT");
   const int seconds = std::max(1, asked != nullptr ? std::atoi(asked) : 15);

@@ -10,6 +10,8 @@ class ViewShaders : public View {
   void SetUp() override {
     View::SetUp();
     if (HasFatalFailure() || IsSkipped()) return;
+    find_leaks_or_skip();
+    if (HasFatalFailure() || IsSkipped()) return;
     std::filesystem::copy_file(arm_scene, path("arm.json"));
     std::filesystem::copy(std::string(SINEW_SOURCE_DIR) + "/shaders", path("shaders"));
   }
