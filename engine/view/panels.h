@@ -41,7 +41,8 @@ struct ViewState {
   double frames_a_second = 0.0;
   std::vector<CharacterState> states;     ///< [characters] of the frame that is shown
   const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
-  std::vector<DockedPanel> docked;        ///< that were drawn
+  std::vector<DockedPanel> docked;        ///< that were drawn, in units
+  PixelBox picture;                       ///< what they left to the picture in the frame before, likewise
   MotionPanel motion;
 
   // Files: viewer_files.cpp.

@@ -25,7 +25,7 @@ void ViewerSession::take_edit(const Result<Touched>& done, const std::string& sa
 }
 
 void ViewerSession::take_photo() {
-  const auto file = shown_->picture->save_photo(state_.playback.shown(), state_.save_as);
+  const auto file = shown_->picture->save_photo(state_.playback.shown(), size_, state_.save_as);
   file ? say(*file + " written") : say(file.error());
 }
 
@@ -63,7 +63,7 @@ void ViewerSession::take_requests(Window& window) {
   if (std::exchange(state_.toggle_projection, false)) toggle_projection();
   if (std::exchange(state_.frame_all, false)) {
     OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
-    camera.frame(maker().bounds(), size_, uncovered(size_.width, size_.height, state_.docked));
+    camera.frame(maker().bounds(), aspect());
     look_from(camera);
   }
   if (std::exchange(state_.screenshot, false)) take_photo();

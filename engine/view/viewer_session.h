@@ -48,7 +48,7 @@ class ViewerSession {
 
   Document& document() { return shown_->document; }
   FrameMaker& maker() { return shown_->picture->maker(); }
-  double aspect() const { return double(size_.width) / std::max(1, size_.height); }
+  double aspect() const { return double(seen_.width) / std::max(1, seen_.height); }
 
   Result<void> make_pictures(Shown& shown, std::vector<std::string>& problems);
   Result<void> follow(Touched what);
@@ -86,6 +86,9 @@ class ViewerSession {
   }
   void say(const Error& error) { say(error.message, true); }
   Result<void> show_frame(Window& window);
+  /// Where in the window the picture belongs, pixels; tells the panels.
+  PixelBox picture_place(double pixels_per_unit);
+  Result<void> fit_picture(const PictureSize& size);
   /// True while anything runs beside the window.
   bool works_beside() const {
     return opening_.valid() || shaders_.is_busy() || heads_.is_busy() || recording_.running() ||
@@ -95,7 +98,8 @@ class ViewerSession {
   Device& device_;
   ViewerOptions options_;
   ViewState state_;
-  PictureSize size_;
+  PictureSize size_;  ///< of the window, and of photos and films; pixels
+  PictureSize seen_;  ///< of the picture in the window, which fills what the panels leave
   std::unique_ptr<Shown> shown_;
   HeadWork heads_;
   PictureTools tools_;
@@ -111,7 +115,6 @@ class ViewerSession {
   bool bounds_stale_ = false;               ///< the maker's bounds are those before the last poses
   bool stale_ = true;                       ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
-  PictureArea drawn_area_;
   ViewExtras drawn_extras_;
 };
 

@@ -11,7 +11,6 @@
 #include "engine/core/files.h"
 #include "tests/support/assets.h"
 #include "tests/support/program.h"
-#include "tests/support/x_screen.h"
 
 namespace sinew::test {
 
@@ -32,8 +31,9 @@ class XServer {
       close(ends[0]);
       const std::string fd = std::to_string(ends[1]);
       freopen("/dev/null", "w", stderr);
-      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-fbdir",
-             folder_.path().c_str(), nullptr);
+      const std::string folder = folder_.path().string();
+      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-nocursor",
+             "-noreset", "-fbdir", folder.c_str(), nullptr);
       _exit(127);
     }
     close(ends[1]);
@@ -48,20 +48,41 @@ class XServer {
     waitpid(server_, nullptr, 0);
   }
 
-  /// What it shows, for screen_pixels().
-  std::string screen() const { return (folder_.path() / "Xvfb_screen0").string(); }
-
   std::string display;  ///< ":3"; empty where the server did not start
 
+  /// What a part of the screen shows: rows of red, green, blue, opaque, as DecodedPng::rgba. Empty where the screen is
+  /// not as it was asked for.
+  std::vector<std::uint8_t> pixels(int left, int top, int width, int height) const {
+    // The server's own file is an XWD dump: a head of big-endian words, a table of colours, blue-first pixels.
+    const auto file = read_file(folder_.path() / "Xvfb_screen0");
+    if (!file) return {};
+    const auto word = [&](std::size_t index) {
+      std::uint32_t value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value = value << 8 | (*file)[4 * index + i];
+      return value;
+    };
+    const std::size_t colour = 12, start = word(0) + colour * word(19), row_bytes = word(12);
+    if (word(11) != 32 || left + width > static_cast<int>(word(4)) || top + height > static_cast<int>(word(5)))
+      return {};
+    std::vector<std::uint8_t> rgba;
+    for (int y = top; y < top + height; ++y)
+      for (int x = left; x < left + width; ++x) {
+        const std::uint8_t* at =
+            file->data() + start + row_bytes * static_cast<std::size_t>(y) + 4 * static_cast<std::size_t>(x);
+        rgba.insert(rgba.end(), {at[2], at[1], at[0], 255});
+      }
+    return rgba;
+  }
+
  private:
-  TemporaryFolder folder_;
+  TemporaryFolder folder_;  ///< of the screen's pixels
   pid_t server_ = -1;
 };
 
 class View : public ProgramTest {
  protected:
   void SetUp() override {
-    for (const char* name : {"Xvfb", "xdotool"})
+    for (const char* name : {"Xvfb", "xdotool", "xrdb"})
       if (!has_program(name)) {
         if (assets_required()) FAIL() << "SINEW_REQUIRE_ASSETS is 1, but " << name << " is missing";
         GTEST_SKIP() << "SKIPPED: " << name << " is missing";
@@ -99,9 +120,8 @@ class View : public ProgramTest {
     EXPECT_EQ(std::system(fmt::format("DISPLAY={} xdotool {} > /dev/null 2>&1", server_.display, words).c_str()), 0)
         << words;
   }
-  /// Pixels of the screen that are exactly this colour, 0xRRGGBB.
-  int pixels_of(std::uint32_t colour) const { return screen_pixels(server_.screen(), colour); }
   const std::string& display() const { return server_.display; }
+  const XServer& screen() const { return server_; }
   void press(const std::string& key) const {
     act("key " + key);
     std::this_thread::sleep_for(400ms);
