@@ -101,7 +101,8 @@ void ViewerSession::take_opened() {
 }
 
 bool ViewerSession::follow_disk() {
-  if (opening_.running() || !disk_.has_changed()) return false;
+  const bool compiles = shaders_.follow();
+  if (opening_.running() || !disk_.has_changed()) return compiles;
   // Edits that are not saved are not dropped unasked.
   (document().is_changed() ? state_.changed_on_disk : state_.reload) = true;
   return true;
@@ -142,6 +143,7 @@ void ViewerSession::take_file_requests(Window& window) {
   for (const auto& file : window.take_dropped_files()) open_beside(file.string());
   if (const auto file = std::exchange(state_.open, std::nullopt); file && !file->empty()) open_beside(*file);
   take_opened();
+  take_shaders();
   if (state_.reload && !opening_.running()) {
     state_.reload = state_.changed_on_disk = false;
     reload();

@@ -11,6 +11,7 @@
 #include "engine/view/panels.h"
 #include "engine/view/picture_tools.h"
 #include "engine/view/preferences.h"
+#include "engine/view/shader_reload.h"
 #include "engine/view/viewer.h"
 #include "engine/view/window_picture.h"
 
@@ -22,7 +23,8 @@ bool is_scene_file(const std::string& file);
 /// What is shown in the window, and all that the user does with it.
 class ViewerSession {
  public:
-  ViewerSession(Device& device, const ViewerOptions& options) : device_(device), options_(options) {
+  ViewerSession(Device& device, const ViewerOptions& options)
+      : device_(device), options_(options), shaders_(options.frames == 0 ? options.shaders : ShaderBuild()) {
     state_.device = device.info().name + (device.info().cpu ? " (a CPU)" : "");
     state_.save_as = "scene.json";
   }
@@ -86,6 +88,10 @@ class ViewerSession {
   void start_binding();
   void follow_binding();
 
+  // viewer_shaders.cpp
+  void take_shaders();
+  Result<void> use_shaders(std::shared_ptr<const ShaderSet> shaders);
+
   // viewer_film.cpp
   void start_recording();
   void follow_recording();
@@ -126,6 +132,7 @@ class ViewerSession {
   };
   Task<BoundMesh> binding_;
   std::array<std::string, 2> bound_;  ///< the mesh that is bound, and the file that it becomes
+  ShaderReload shaders_;
   Task<CaptureReport> recording_;
   std::string recorded_;  ///< file that it writes
   Preferences preferences_;

@@ -3,7 +3,7 @@
 namespace sinew {
 
 std::vector<WorkBeside*> ViewerSession::works() {
-  return {&opening_, &edits_.task(), &state_.motion.browser.task(), &binding_, &recording_};
+  return {&opening_, &edits_.task(), &state_.motion.browser.task(), &binding_, &recording_, &shaders_.task()};
 }
 
 bool ViewerSession::works_beside() {
