@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include "engine/model/scene_words.h"
+#include "engine/view/fitted_text.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
@@ -90,8 +91,8 @@ void draw_settings(const Document& document, ViewState& state) {
   }
   const auto* clip = std::get_if<LibraryClip>(&use->source);
   constexpr float remove_width = 64.0f;
-  show_fitted("plays " + (clip ? clip->name : std::get<MotionFile>(use->source).path.filename().string()),
-              ImGui::GetContentRegionAvail().x - remove_width - ImGui::GetStyle().ItemSpacing.x);
+  draw_fitted_text("plays " + (clip ? clip->name : std::get<MotionFile>(use->source).path.filename().string()),
+                   FittedEnd::first, ImGui::GetContentRegionAvail().x - remove_width - ImGui::GetStyle().ItemSpacing.x);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - remove_width);
   if (ImGui::SmallButton("remove")) {
     Scene changed = scene;

@@ -26,11 +26,6 @@ void ask_for_clip(const Document& document, ViewState& state, const std::string&
 bool has_face(const Document& document);
 bool has_face_regions(const Document& document);
 
-/// Text in so much room: what does not fit ends in "...", and the whole is told to a pointer that rests on it.
-void show_fitted(const std::string& text, float width);
-/// The part of a text that fits, "..." after it where that is not all.
-std::string fitted_text(const std::string& text, float width);
-
 /// Explains the item before it to a pointer that rests on it.
 void show_tip(const std::string& text);
 

@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include "engine/model/scene_words.h"
+#include "engine/view/fitted_text.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
@@ -49,8 +50,8 @@ void draw_skin(const Document& document, ViewState& state) {
     ImGui::TextDisabled("built-in characters bring their weights");
     return;
   }
-  show_fitted(character.scene.model.filename().string() + ": " + told(*character.model),
-              ImGui::GetContentRegionAvail().x);
+  draw_fitted_text(character.scene.model.filename().string() + ": " + told(*character.model), FittedEnd::first,
+                   ImGui::GetContentRegionAvail().x);
   label("skeleton");
   ImGui::InputTextWithHint("##skeleton", "a .glb with joints", &panel.skeleton);
   show_tip("the file whose joints stand in the mesh: " + panel.skeleton);

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "engine/view/fitted_text.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
@@ -28,7 +29,7 @@ void draw_works(std::span<WorkBeside* const> works, const ViewState& state) {
       ImGui::PushID(static_cast<int>(i));
       const float left = ImGui::GetCursorPosX();
       ImGui::AlignTextToFramePadding();
-      show_fitted(shown[i]->what(), words_width);
+      draw_fitted_text(shown[i]->what(), FittedEnd::first, words_width);
       ImGui::SameLine(left + words_width + ImGui::GetStyle().ItemSpacing.x);
       const double share = shown[i]->share();
       ImGui::ProgressBar(static_cast<float>(share), {bar_width, 0.0f}, share > 0.0 ? nullptr : "");
