@@ -28,6 +28,7 @@ Json muscle_json(const Model& model, const PlacedMuscle& placed) {
           {"sigma", {m.sigma.x, m.sigma.y}},
           {"rest_angle", m.rest_angle},
           {"reference_angle", m.reference_angle},
+          {"on", m.on},
           {"centre", vector_json(placed.region.centre)},
           {"region_vertices", placed.region.vertices.size()},
           {"segment_vertices", placed.region.segment_vertices}};
@@ -49,7 +50,7 @@ using Row = std::vector<std::string>;
 
 Row row_of(const Json& muscle) {
   const auto text = [&](const char* key) { return muscle[key].get<std::string>(); };
-  Row row{text("name"),
+  Row row{text("name") + (muscle["on"].get<bool>() ? "" : " (off)"),
           fmt::format("{} to {}", text("bone"), text("child")),
           text("driver"),
           numbers(muscle["facing"], ","),

@@ -31,7 +31,8 @@ std::array<float, 4> background_words(const Colour& colour) {
 double largest_bulge(const Stage& stage) {
   double largest = 0.0;
   for (const StagedCharacter& character : stage.characters)
-    for (const PlacedMuscle& placed : character.muscles) largest = std::max(largest, placed.muscle.peak);
+    for (const PlacedMuscle& placed : character.muscles)
+      if (placed.muscle.on) largest = std::max(largest, placed.muscle.peak);
   return largest;
 }
 
@@ -87,7 +88,8 @@ Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const 
       return pass_on(std::move(ok));
   }
   const Bounds rest = rest_bounds(stage);
-  return FrameMaker(std::move(*renderer), stage, look, stage_bounds(stage), rest.empty() ? 0.0 : rest.low.y);
+  return FrameMaker(std::move(*renderer), stage, look, stage.bounds ? *stage.bounds : stage_bounds(stage),
+                    rest.empty() ? 0.0 : rest.low.y);
 }
 
 Result<Picture> FrameMaker::picture(int frame) { return picture(frame, shot(frame)); }
@@ -151,7 +153,15 @@ Result<void> FrameMaker::resize(const PictureSize& size) {
 void FrameMaker::follow_stage() {
   const Bounds rest = rest_bounds(*stage_);
   floor_ = rest.empty() ? 0.0 : rest.low.y;
-  bounds_ = stage_bounds(*stage_);
+  bounds_ = stage_->bounds ? *stage_->bounds : stage_bounds(*stage_);
+}
+
+Result<void> FrameMaker::follow_muscles() {
+  for (std::size_t i = 0; i < stage_->characters.size(); ++i) {
+    const StagedCharacter& c = stage_->characters[i];
+    if (auto ok = renderer_.deformer(i).set_muscles(c.mesh, c.rest, c.muscles); !ok) return ok;
+  }
+  return {};
 }
 
 Shot FrameMaker::shot(int frame, double orbit) const {

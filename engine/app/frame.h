@@ -54,9 +54,11 @@ class FrameMaker {
   /// As picture(), into the renderer's own image. `states`: pose(frame).
   Result<void> draw_for_window(int frame, const std::vector<CharacterState>& states);
   Result<void> resize(const PictureSize& size);
-  /// Takes the bounds anew after the stage's motions or poses have changed. Its meshes, muscles and materials, and
-  /// which joint's weights are shown, must be those that the maker was created with.
+  /// Takes the bounds anew after the stage's motions or poses have changed. Its meshes and materials, the
+  /// muscles (follow_muscles) and which joint's weights are shown, must be those that the maker was created with.
   void follow_stage();
+  /// Takes the stage's muscles anew, which are as many as before. Fails as GpuDeformer::set_muscles does.
+  Result<void> follow_muscles();
 
  private:
   Viewpoint viewpoint(int frame, double orbit) const;

@@ -50,8 +50,7 @@ Plot MusclePlotMaker::by_angle(const CharacterState& state) const {
   for (std::size_t m = 0; m < character.muscles.size(); ++m) {
     const Muscle& muscle = character.muscles[m].muscle;
     const auto height = [&](double angle) {
-      return millimetres * stage_->strength * muscle.peak *
-             muscle_activation(angle, muscle.rest_angle, muscle.reference_angle);
+      return millimetres * stage_->strength * muscle.peak * muscle_activation(muscle, angle);
     };
     PlotCurve curve{muscle.name, {}, plot_colour(m)};
     for (int i = 0; i < samples; ++i) {

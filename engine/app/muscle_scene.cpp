@@ -26,12 +26,14 @@ std::string what_is_missing(const StagedCharacter& character, const std::vector<
   return fmt::format("{}", fmt::join(said, "; "));
 }
 
-/// The muscles on both sides. A side without its joints is a problem, no failure.
-Result<std::vector<PlacedMuscle>> place(const StagedCharacter& character, const MuscleSceneOptions& options,
-                                        std::vector<std::string>& problems) {
+}  // namespace
+
+Result<std::vector<PlacedMuscle>> place_presets(const StagedCharacter& character, const PresetPlacing& placing,
+                                                std::vector<std::string>& problems) {
+  const std::string model = character.scene.model.string();
   const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
   std::vector<PlacedMuscle> muscles;
-  for (const MusclePreset preset : options.presets) {
+  for (const MusclePreset preset : placing.presets) {
     std::vector<std::string> reasons;
     for (const MuscleSide side : {MuscleSide::left, MuscleSide::right}) {
       MuscleSpec spec;
@@ -42,21 +44,18 @@ Result<std::vector<PlacedMuscle>> place(const StagedCharacter& character, const 
         reasons.push_back(placed.error().message);
         continue;
       }
-      placed->muscle.peak *= options.strength;
+      placed->muscle.peak *= placing.strength;
       for (std::string& problem : placement_problems(*placed)) problems.push_back(std::move(problem));
       muscles.push_back(std::move(*placed));
     }
-    if (reasons.size() == 2 && !options.only_what_fits)
-      return bad_input("{}: no place for the muscle \"{}\": {}", options.model,
+    if (reasons.size() == 2 && !placing.only_what_fits)
+      return bad_input("{}: no place for the muscle \"{}\": {}", model,
                        muscle_preset_names()[static_cast<std::size_t>(preset)], what_is_missing(character, reasons));
     problems.insert(problems.end(), reasons.begin(), reasons.end());
   }
-  if (muscles.empty())
-    return bad_input("{}: no place for any muscle: {}", options.model, what_is_missing(character, {}));
+  if (muscles.empty()) return bad_input("{}: no place for any muscle: {}", model, what_is_missing(character, {}));
   return muscles;
 }
-
-}  // namespace
 
 Result<MuscleSceneReport> write_muscle_scene(const MuscleSceneOptions& options) {
   SceneOptions opening;
@@ -67,7 +66,7 @@ Result<MuscleSceneReport> write_muscle_scene(const MuscleSceneOptions& options) 
   if (auto ok = check_not_an_input(*stage, options.output); !ok) return pass_on(std::move(ok));
   MuscleSceneReport report{std::move(*stage), {}};
   StagedCharacter& character = report.stage.characters.front();
-  auto muscles = place(character, options, report.problems);
+  auto muscles = place_presets(character, {options.presets, options.only_what_fits, options.strength}, report.problems);
   if (!muscles) return pass_on(std::move(muscles));
   character.muscles = std::move(*muscles);
   report.stage.scene = {};

@@ -89,8 +89,7 @@ CharacterState character_state(const Stage& stage, std::size_t index, double fra
   if (character.face.targets) character.face.targets->add_weights(character.face.track, frame, state.morph_weights);
   for (const PlacedMuscle& placed : character.muscles) {
     const double angle = placed.driver.degrees(state.global);
-    const Muscle& muscle = placed.muscle;
-    state.activations.push_back(stage.strength * muscle_activation(angle, muscle.rest_angle, muscle.reference_angle));
+    state.activations.push_back(stage.strength * muscle_activation(placed.muscle, angle));
   }
   return state;
 }
@@ -115,12 +114,21 @@ Bounds rest_bounds(const Stage& stage) {
 }
 
 Bounds stage_bounds(const Stage& stage) {
+  TaskWatch unwatched;
+  return *stage_bounds(stage, unwatched);
+}
+
+Result<Bounds> stage_bounds(const Stage& stage, TaskWatch& watch) {
   Bounds bounds = rest_bounds(stage);
   for (std::size_t c = 0; c < stage.characters.size(); ++c) {
     const StagedCharacter& character = stage.characters[c];
-    for (const int frame : bounds_frames(stage.range, character)) {
+    const std::set<int> frames = bounds_frames(stage.range, character);
+    watch.add(frames.size());
+    for (const int frame : frames) {
+      if (auto ok = watch.check(); !ok) return pass_on(std::move(ok));
       const CharacterState state = character_state(stage, c, frame);
       bounds.add(bounds_of(deform_on_cpu(character, state, Deformer::ssd, BulgeMode::off).positions));
+      watch.advance();
     }
   }
   if (bounds.empty()) bounds.add(Vec3(0.0));

@@ -173,6 +173,7 @@ Result<PlacedMuscle> place_muscle(const PlacementContext& character, const Muscl
   PlacedMuscle placed;
   Muscle& muscle = placed.muscle;
   muscle.name = muscle_name(spec);
+  muscle.on = spec.on;
   const AtlasMuscle* preset = spec.preset ? &atlas_muscle(*spec.preset) : nullptr;
   const Joints joints(character, spec, muscle.name);
   if (auto ok = joints.into(muscle); !ok) return pass_on(std::move(ok));

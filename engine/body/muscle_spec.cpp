@@ -56,6 +56,7 @@ Result<MuscleSpec> explicit_muscle(const PlacementContext& character, const Plac
   spec.sigma = muscle.sigma;
   spec.rest_angle = muscle.rest_angle;
   spec.reference_angle = muscle.reference_angle;
+  spec.on = muscle.on;
   return spec;
 }
 

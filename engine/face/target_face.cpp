@@ -173,15 +173,27 @@ TargetFace::Mix TargetFace::mix_for(const FaceChannels& shares) const {
   return mix;
 }
 
+const FaceRig& TargetFace::sizes() { return adult_face(); }
+
+TargetFace::Mix TargetFace::expression_mix(const FacePreset& expression) const {
+  auto at = named(expression.name);
+  if (!at) at = named(vrm_word(expression.name));
+  const FaceChannels channels = expression.channels(false);
+  if (!at && channels != FaceChannels{}) return mix_for(shares_of(channels));
+  Mix mix(targets_.size(), 0.0);
+  if (at) mix[*at] = 1.0;
+  return mix;
+}
+
+TargetFace::Mix TargetFace::channel_mix(std::size_t channel, bool up) const {
+  FaceChannels shares{};
+  shares[channel] = up ? 1.0 : -1.0;
+  return mix_for(shares);
+}
+
 Result<void> TargetFace::prepare(const FaceTrack& track) {
   const auto expression = [&](const FacePreset* preset) -> Result<void> {
-    auto at = named(preset->name);
-    if (!at) at = named(vrm_word(preset->name));
-    Mix mix(targets_.size(), 0.0);
-    if (at)
-      mix[*at] = 1.0;
-    else if (preset->channels(false) != FaceChannels{})
-      mix = mix_for(shares_of(preset->channels(false)));
+    Mix mix = expression_mix(*preset);
     if (mix.empty())
       return bad_input("/expressions: the model's morph targets cannot make \"{}\"{}; it has {}", preset->name,
                        did_you_mean(preset->name, names()), fmt::join(names(), ", "));
@@ -197,9 +209,7 @@ Result<void> TargetFace::prepare(const FaceTrack& track) {
       for (std::size_t i = 0; i < key.value.size(); ++i) {
         const std::size_t channel = region.first_channel + i;
         if (key.value[i] == 0.0) continue;
-        FaceChannels shares{};
-        shares[channel] = key.value[i] > 0.0 ? 1.0 : -1.0;
-        Mix mix = mix_for(shares);
+        Mix mix = channel_mix(channel, key.value[i] > 0.0);
         if (mix.empty())
           return bad_input("/regions/{}: the model has no morph target that moves it so; it has {}",
                            face_channel_names()[channel].region, fmt::join(names(), ", "));

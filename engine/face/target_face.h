@@ -20,6 +20,12 @@ class TargetFace {
   /// The known names that it found.
   std::vector<std::string> names() const;
 
+  /// What prepare() would not refuse: an expression, and a channel above (`up`) or below 0.
+  bool can_show(const FacePreset& expression) const { return !expression_mix(expression).empty(); }
+  bool can_move(std::size_t channel, bool up) const { return !channel_mix(channel, up).empty(); }
+  /// By whose limits regions go: an adult's, without vertices.
+  static const FaceRig& sizes();
+
   /// Makes ready what the track asks for: a target of an expression's name is that expression; else targets are mixed
   /// so that their regions come as near to what is wanted as weights from 0 to 1 can. Fails as bad_input where that is
   /// not near at all; the message begins with the place in the character, such as "/regions/nose: ".
@@ -38,7 +44,9 @@ class TargetFace {
   using Mix = std::vector<double>;  ///< [targets]
 
   std::optional<std::size_t> named(const std::string& name) const;
-  /// Empty where no mix comes near.
+  // Empty where no mix comes near.
+  Mix expression_mix(const FacePreset& expression) const;
+  Mix channel_mix(std::size_t channel, bool up) const;
   Mix mix_for(const FaceChannels& shares) const;
 
   std::vector<Target> targets_;

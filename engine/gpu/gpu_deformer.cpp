@@ -74,11 +74,12 @@ void create_buffers(GpuDeformer::Impl& d, const PackedCharacter& packed, const C
   d.output_tangents = vulkan.create_buffer(tangents, output_usage, MemoryUse::device);
 }
 
+vk::raii::BufferView whole_view(const GpuDeformer::Impl& d, const Buffer& buffer, vk::Format format) {
+  return {d.vulkan->device, vk::BufferViewCreateInfo({}, *buffer.buffer, format, 0, VK_WHOLE_SIZE)};
+}
+
 void create_views(GpuDeformer::Impl& d) {
-  const auto view = [&](const Buffer& buffer, vk::Format format) {
-    return vk::raii::BufferView(d.vulkan->device,
-                                vk::BufferViewCreateInfo({}, *buffer.buffer, format, 0, VK_WHOLE_SIZE));
-  };
+  const auto view = [&](const Buffer& buffer, vk::Format format) { return whole_view(d, buffer, format); };
   d.detail_view = view(d.detail_words, vk::Format::eR32G32B32A32Uint);
   d.palette_view = view(d.palette, vk::Format::eR32G32B32A32Sfloat);
   d.morph_view = view(d.morph_weights, vk::Format::eR32Sfloat);
@@ -182,6 +183,25 @@ void create_chunks(GpuDeformer::Impl& d, std::size_t size) {
   }
 }
 
+/// Vertices and details anew; a larger room for the details where theirs is too small, bound in its place.
+void upload_shape(GpuDeformer::Impl& d, const PackedCharacter& packed) {
+  const std::size_t size = packed.details.size() * sizeof(Word);
+  if (size > d.detail_words.size) {
+    // Half as much again: a region that is being drawn out grows many times.
+    const auto usage = d.texel ? vk::BufferUsageFlagBits::eUniformTexelBuffer : vk::BufferUsageFlagBits::eStorageBuffer;
+    Buffer larger = d.vulkan->create_buffer(size + size / 2, usage, MemoryUse::device);
+    if (d.texel) d.detail_view = whole_view(d, larger, vk::Format::eR32G32B32A32Uint);
+    d.detail_words = std::move(larger);
+    std::size_t first = 0;
+    for (const GpuDeformer::Impl::Chunk& chunk : d.chunks) {
+      write_set(d, chunk, first);
+      first += chunk.vertices;
+    }
+  }
+  d.vulkan->upload(d.vertex_words, std::as_bytes(std::span(packed.vertices)));
+  d.vulkan->upload(d.detail_words, std::as_bytes(std::span(packed.details)));
+}
+
 /// Storage ranges that are not split into chunks must fit the device whole.
 Result<void> check_ranges(const VulkanDevice& vulkan, const PackedCharacter& packed, const CharacterMesh& mesh) {
   const std::size_t limit = vulkan.limits.maxStorageBufferRange;
@@ -191,6 +211,15 @@ Result<void> check_ranges(const VulkanDevice& vulkan, const PackedCharacter& pac
   return bad_input(
       "the character's joints, morph targets, face and muscle regions need {} bytes in one range, the device allows {}",
       std::max(details, palette), limit);
+}
+
+/// Details that grow still have to fit the device in one piece.
+Result<void> check_details(const GpuDeformer::Impl& d, const PackedCharacter& packed) {
+  const vk::PhysicalDeviceLimits& limits = d.vulkan->limits;
+  const std::size_t words = packed.details.size() + packed.details.size() / 2;
+  const std::size_t most = d.texel ? limits.maxTexelBufferElements : limits.maxStorageBufferRange / sizeof(Word);
+  if (words <= most || packed.details.size() * sizeof(Word) <= d.detail_words.size) return {};
+  return bad_input("the muscles' regions need {} words, the device allows {}", words, most);
 }
 
 }  // namespace
@@ -259,10 +288,21 @@ Result<void> GpuDeformer::set_mesh(const CharacterMesh& mesh, const RestShape& r
     return bad_input("another shape of the character needs {} vertices and {} bytes of details, there are {} and {}",
                      packed->vertex_count(), details, impl_->vertices, room);
   if (mesh.face) impl_->face = {face_sizes(mesh.face->rig), mesh.face->place, mesh.face->guides};
-  return vulkan_call("uploading the character's shape", [&] {
-    impl_->vulkan->upload(impl_->vertex_words, std::as_bytes(std::span(packed->vertices)));
-    impl_->vulkan->upload(impl_->detail_words, std::as_bytes(std::span(packed->details)));
-  });
+  return vulkan_call("uploading the character's shape", [&] { upload_shape(*impl_, *packed); });
+}
+
+Result<void> GpuDeformer::set_muscles(const CharacterMesh& mesh, const RestShape& rest,
+                                      std::span<const PlacedMuscle> muscles) {
+  if (muscles.size() != impl_->muscles.size())
+    return bad_input("{} muscles in place of {}; the number has to stay", muscles.size(), impl_->muscles.size());
+  if (!std::ranges::equal(muscles, impl_->muscles, is_packed_alike)) {
+    const auto packed = pack_character(mesh, rest, muscles, impl_->duplicates);
+    if (!packed) return tl::unexpected<Error>(packed.error());
+    if (auto ok = check_details(*impl_, *packed); !ok) return ok;
+    if (auto ok = vulkan_call("uploading the muscles", [&] { upload_shape(*impl_, *packed); }); !ok) return ok;
+  }
+  impl_->muscles.assign(muscles.begin(), muscles.end());
+  return {};
 }
 
 void GpuDeformer::set_state(const GpuDeformState& state) {

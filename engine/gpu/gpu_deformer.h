@@ -56,6 +56,12 @@ class GpuDeformer {
   /// last frame. Fails as bad_input where the details have outgrown their buffer.
   Result<void> set_mesh(const CharacterMesh& mesh, const RestShape& rest);
 
+  /// The same muscles with other numbers, at other places: as many as it was created with, on `mesh`, which is the one
+  /// that it shows. Must not run while the device still works on the last frame. Fails as bad_input where their number
+  /// is another or a vertex lies in too many regions (pack_character), as device_failed where there is no memory; then
+  /// nothing has changed.
+  Result<void> set_muscles(const CharacterMesh& mesh, const RestShape& rest, std::span<const PlacedMuscle> muscles);
+
   /// Writes a frame's palette, weights and activations where the next dispatch reads them. Must not run while the
   /// device still works on the last frame.
   void set_state(const GpuDeformState& state);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -158,6 +159,16 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
     return bad_input("the character's morph targets, face and muscle regions need {} words, {} is the most",
                      packed.details.size(), layout::link_mask);
   return packed;
+}
+
+bool is_packed_alike(const PlacedMuscle& a, const PlacedMuscle& b) {
+  const auto fade = [](const Muscle& m) { return std::tie(m.from, m.to, m.spread); };
+  const auto plane = [](const ProjectionPlane& p) { return std::tie(p.axis, p.side, p.length); };
+  const auto same_place = [](const RegionVertex& p, const RegionVertex& q) {
+    return std::tie(p.vertex, p.x, p.y, p.t, p.angle, p.share) == std::tie(q.vertex, q.x, q.y, q.t, q.angle, q.share);
+  };
+  return fade(a.muscle) == fade(b.muscle) && plane(a.region.plane) == plane(b.region.plane) &&
+         std::ranges::equal(a.region.vertices, b.region.vertices, same_place);
 }
 
 void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words) {

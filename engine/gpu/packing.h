@@ -38,6 +38,10 @@ Result<PackedCharacter> pack_character(const CharacterMesh& mesh, const RestShap
                                        std::span<const PlacedMuscle> muscles,
                                        std::span<const RigidDuplicate> duplicates = {});
 
+/// True where pack_character() makes the same words of both: they differ at most in what pack_muscle() holds, in
+/// angles, or in their names.
+bool is_packed_alike(const PlacedMuscle& a, const PlacedMuscle& b);
+
 /// The palette's rows as floats, [joints * layout::words_per_joint].
 void pack_palette(std::span<const Mat34> palette, std::span<Vec4f> words);
 

@@ -68,9 +68,9 @@ void expect_whole(const JsonValue& value) {
 }  // namespace
 
 MuscleSpec read_muscle(const JsonValue& value) {
-  static const std::vector<std::string> known{"preset", "side", "name",   "bone",       "child",          "driver",
-                                              "before", "tip",  "except", "facing",     "from",           "to",
-                                              "spread", "peak", "sigma",  "rest_angle", "reference_angle"};
+  static const std::vector<std::string> known{
+      "preset", "side", "name",   "bone", "child", "driver",     "before",          "tip", "except", "facing",
+      "from",   "to",   "spread", "peak", "sigma", "rest_angle", "reference_angle", "on"};
   MuscleSpec muscle;
   if (!value.expect_object(known)) return muscle;
   read_preset(value, muscle);
@@ -86,6 +86,7 @@ MuscleSpec read_muscle(const JsonValue& value) {
         fmt::format("expected another joint than \"bone\", found \"{}\" for both", *muscle.bone));
   read_region(value, muscle);
   read_swelling(value, muscle);
+  if (const auto on = value.find("on")) muscle.on = on->flag();
   if (!muscle.preset) expect_whole(value);
   return muscle;
 }

@@ -63,6 +63,7 @@ ordered_json muscle_to_json(const MuscleSpec& muscle) {
   write_if(object, "sigma", muscle.sigma);
   write_if(object, "rest_angle", muscle.rest_angle);
   write_if(object, "reference_angle", muscle.reference_angle);
+  if (!muscle.on) object["on"] = false;
   return object;
 }
 

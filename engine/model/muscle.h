@@ -23,6 +23,7 @@ struct Muscle {
   Vec2 sigma{1.0};                ///< along and across the limb, world units
   double rest_angle = 180.0;      ///< degrees at the driver where nothing swells
   double reference_angle = 90.0;  ///< degrees at the driver where the peak is reached
+  bool on = true;                 ///< false: it is there, but never swells
 };
 
 /// How the bulge is applied: not at all; fading to zero at the region's edge; or as the paper has it, with its step.

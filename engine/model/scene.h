@@ -52,6 +52,7 @@ struct MuscleSpec {
   std::optional<Vec2> sigma;              ///< along and across the segment, > 0
   std::optional<double> rest_angle;       ///< of the driver, degrees, 0..180; absent: measured on the rest pose
   std::optional<double> reference_angle;  ///< angle of the whole swelling, degrees, 0..180, not rest_angle
+  bool on = true;                         ///< false: placed and listed, but it never swells
 
   bool operator==(const MuscleSpec&) const = default;
 };
@@ -161,7 +162,7 @@ enum class Projection { perspective, orthographic };
 
 struct Camera {
   View view = View::front;
-  Projection projection = Projection::perspective;  ///< orthographic: as high as perspective at the target's distance
+  Projection projection = Projection::perspective;   ///< orthographic: as high as perspective at the target's distance
   Keyed<double> orbit = Keyed<double>::constant(0);  ///< degrees, counter-clockwise seen from above
   std::optional<Keyed<Vec3>> target;                 ///< absent: the centre of what the scene shows
   std::optional<Keyed<double>> distance;             ///< from the target, > 0; absent: far enough to see everything

@@ -43,4 +43,8 @@ double muscle_activation(double angle, double rest_angle, double reference_angle
   return delta < 1e-9 ? 0.0 : delta;
 }
 
+double muscle_activation(const Muscle& muscle, double angle) {
+  return muscle.on ? muscle_activation(angle, muscle.rest_angle, muscle.reference_angle) : 0.0;
+}
+
 }  // namespace sinew

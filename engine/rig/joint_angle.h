@@ -6,6 +6,7 @@
 
 #include "engine/core/math.h"
 #include "engine/model/model.h"
+#include "engine/model/muscle.h"
 #include "engine/rig/humanoid.h"
 
 namespace sinew {
@@ -29,5 +30,7 @@ std::optional<JointAngle> driver_angle(const Model& model, const Humanoid& human
 /// delta of engine/definitions.md 6: 0 at the rest angle, 1 at the reference angle, linear beyond it, never negative; 0
 /// below 1e-9.
 double muscle_activation(double angle, double rest_angle, double reference_angle);
+/// The same by the muscle's own angles; 0 where it is switched off.
+double muscle_activation(const Muscle& muscle, double angle);
 
 }  // namespace sinew

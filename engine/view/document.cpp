@@ -4,6 +4,7 @@
 
 #include "engine/core/files.h"
 #include "engine/io/scene_file.h"
+#include "engine/model/scene_words.h"
 #include "engine/view/track_edit.h"
 
 namespace sinew {
@@ -15,26 +16,37 @@ std::pair<bool, bool> wires(const Look& look) {
   return {has(Overlay::wire), has(Overlay::wire_all)};
 }
 
+/// Muscles of the same names, in the same order, on as many characters.
+bool has_same_muscles(const Character& a, const Character& b) {
+  return std::ranges::equal(a.muscles, b.muscles, {}, muscle_name, muscle_name);
+}
+
 /// What differs between two scenes, at most.
 Touched touched(const Scene& a, const Scene& b) {
   if (a.look.joint != b.look.joint || a.look.shading != b.look.shading || a.look.compare != b.look.compare ||
       wires(a.look) != wires(b.look))
     return Touched::all;
   if (a.fps != b.fps || a.frames != b.frames || a.characters.size() != b.characters.size()) return Touched::all;
-  Touched most = Touched::look;
+  bool muscles = false, poses = false;
   for (std::size_t i = 0; i < a.characters.size(); ++i) {
-    if (a.characters[i] == b.characters[i]) continue;
+    const Character& other = b.characters[i];
     Character one = a.characters[i];
-    one.keys = b.characters[i].keys;
-    one.expressions = b.characters[i].expressions;
-    one.regions = b.characters[i].regions;
-    one.motion = b.characters[i].motion;
-    one.position = b.characters[i].position;
-    one.turn = b.characters[i].turn;
-    if (!(one == b.characters[i])) return Touched::all;
-    most = Touched::poses;
+    if (has_same_muscles(one, other)) {
+      muscles = muscles || one.muscles != other.muscles;
+      one.muscles = other.muscles;
+    }
+    if (one == other) continue;
+    one.keys = other.keys;
+    one.expressions = other.expressions;
+    one.regions = other.regions;
+    one.motion = other.motion;
+    one.position = other.position;
+    one.turn = other.turn;
+    if (!(one == other)) return Touched::all;
+    poses = true;
   }
-  return most;
+  if (muscles && poses) return Touched::all;
+  return muscles ? Touched::muscles : poses ? Touched::poses : Touched::look;
 }
 
 /// Text that a shell takes as one word.
@@ -76,16 +88,43 @@ Result<Touched> Document::show(const Scene& scene) {
     stage_.scene = scene;
     return what;
   }
-  if (auto ok = restage(stage_, scene, options_); !ok) return pass_on(std::move(ok));
+  const std::optional<Bounds> bounds = stage_.bounds;
+  const auto put = what == Touched::muscles ? restage_muscles : restage;
+  if (auto ok = put(stage_, scene, options_); !ok) return pass_on(std::move(ok));
+  stage_.bounds = bounds;
   return what;
+}
+
+void Document::remember(const Scene& scene, std::size_t kept) {
+  const auto first = edits_.begin() + static_cast<std::ptrdiff_t>(kept);
+  before_ = Before{scene, options_, kept, {first, edits_.end()}, done_, saved_at_, merging_};
+  ++revision_;
+}
+
+Result<void> Document::take_back() {
+  if (!before_) return {};
+  Before before = *std::exchange(before_, std::nullopt);
+  options_ = before.options;
+  stage_.strength = options_.strength;
+  const Camera camera = stage_.scene.camera;
+  if (auto shown = show(before.scene); !shown) return pass_on(std::move(shown));
+  stage_.scene.camera = camera;
+  edits_.resize(before.kept);
+  edits_.insert(edits_.end(), before.edits.begin(), before.edits.end());
+  done_ = before.done;
+  saved_at_ = before.saved_at;
+  merging_ = before.merging;
+  ++revision_;
+  return {};
 }
 
 Result<Touched> Document::edit(Scene scene, std::string label, const std::string& merge) {
   if (scene == stage_.scene) return Touched::look;
   Scene before = stage_.scene;
+  const bool merges = !merge.empty() && merge == merging_ && done_ > 0 && done_ == edits_.size() && done_ != saved_at_;
   auto what = show(scene);
   if (!what) return what;
-  const bool merges = !merge.empty() && merge == merging_ && done_ > 0 && done_ == edits_.size() && done_ != saved_at_;
+  remember(before, merges ? done_ - 1 : done_);
   if (saved_at_ > done_) saved_at_ = static_cast<std::size_t>(-1);  // what was saved can no longer be come back to
   edits_.resize(done_);
   if (merges)
@@ -100,26 +139,43 @@ Result<Touched> Document::edit(Scene scene, std::string label, const std::string
 void Document::move_camera(const Camera& camera) { stage_.scene.camera = camera; }
 
 void Document::set_options(Deformer deformer, BulgeMode bulge, double strength) {
+  remember(stage_.scene, edits_.size());
   options_.deformer = deformer;
   options_.bulge = bulge;
   options_.strength = stage_.strength = strength;
 }
 
+Scene Document::undo_scene() const {
+  Scene scene = can_undo() ? edits_[done_ - 1].before : stage_.scene;
+  scene.camera = stage_.scene.camera;
+  return scene;
+}
+
+Scene Document::redo_scene() const {
+  Scene scene = can_redo() ? edits_[done_].after : stage_.scene;
+  scene.camera = stage_.scene.camera;
+  return scene;
+}
+
 Result<Touched> Document::undo() {
   if (!can_undo()) return Touched::look;
-  Scene scene = edits_[done_ - 1].before;
-  scene.camera = stage_.scene.camera;
-  auto what = show(scene);
-  if (what) --done_, merging_.clear();
+  const Scene now = stage_.scene;
+  auto what = show(undo_scene());
+  if (!what) return what;
+  remember(now, edits_.size());
+  --done_;
+  merging_.clear();
   return what;
 }
 
 Result<Touched> Document::redo() {
   if (!can_redo()) return Touched::look;
-  Scene scene = edits_[done_].after;
-  scene.camera = stage_.scene.camera;
-  auto what = show(scene);
-  if (what) ++done_, merging_.clear();
+  const Scene now = stage_.scene;
+  auto what = show(redo_scene());
+  if (!what) return what;
+  remember(now, edits_.size());
+  ++done_;
+  merging_.clear();
   return what;
 }
 

@@ -48,9 +48,13 @@ void set_region(Character& character, double frame, FaceChannel channel, const F
 }  // namespace
 
 std::optional<ShownFace> shown_face(const StagedCharacter& character, double frame) {
-  if (!character.mesh.face) return std::nullopt;
   ShownFace out;
-  out.sizes = face_sizes_at(character.face, character.mesh, frame);
+  if (character.mesh.face)
+    out.sizes = face_sizes_at(character.face, character.mesh, frame);
+  else if (target_face(character))
+    out.sizes = TargetFace::sizes();
+  else
+    return std::nullopt;
   const FaceTrack& track = character.face.track;
   const FaceChannels both = channels_at(track, out.sizes, frame);
   out.regions = regions_at(track, frame);
@@ -71,6 +75,26 @@ ChannelRange channel_range(const ShownFace& face, FaceChannel channel) {
     return hold_at_limits(face.sizes, asked).channels[index_of(channel)];
   };
   return {held_at(-far), held_at(far)};
+}
+
+std::optional<TargetFace> target_face(const StagedCharacter& character) {
+  if (character.mesh.face || character.mesh.morph_slots.empty()) return std::nullopt;
+  return TargetFace::find(*character.model, character.mesh);
+}
+
+TargetAbilities target_abilities(const TargetFace& face) {
+  TargetAbilities out;
+  for (const std::string& name : expression_names()) {
+    const auto preset = find_expression(name);
+    out.expressions.push_back(preset && face.can_show(**preset));
+  }
+  ShownFace still;
+  still.sizes = TargetFace::sizes();
+  for (std::size_t c = 0; c < face_channels; ++c) {
+    const ChannelRange range = channel_range(still, static_cast<FaceChannel>(c));
+    out.channels[c] = {face.can_move(c, false) ? range.low : 0.0, face.can_move(c, true) ? range.high : 0.0};
+  }
+  return out;
 }
 
 void set_expression(Character& character, double frame, Expression expression, double strength) {
@@ -95,6 +119,12 @@ void move_channels(Character& character, const ShownFace& face, double frame, st
       regions[c] = added_to(face.expressions[c], held[c]);
   for (std::size_t c = 0; c < face_channels; ++c)
     if (regions[c] != face.regions[c]) set_region(character, frame, static_cast<FaceChannel>(c), regions);
+}
+
+void set_channel(Character& character, const ShownFace& face, double frame, FaceChannel channel, double value) {
+  FaceChannels regions = face.regions;
+  regions[index_of(channel)] = value;
+  set_region(character, frame, channel, regions);
 }
 
 void reset_region(Character& character, FaceChannel channel) {

@@ -48,6 +48,6 @@ struct FacePicture {
 FacePicture face_picture(const ShownFace& face, const FaceGuides& guides);
 
 /// The picture's part that is worth seeing, lower left and upper right corners.
-constexpr Vec2 face_picture_low{-1.12, -0.62}, face_picture_high{1.12, 2.42};
+constexpr Vec2 face_picture_low{-1.12, -0.62}, face_picture_high{1.12, 2.70};
 
 }  // namespace sinew

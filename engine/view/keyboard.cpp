@@ -39,6 +39,9 @@ std::optional<KeyboardKey> keyboard_key(int code, bool shift) {
     case GLFW_KEY_9:
     case GLFW_KEY_KP_9:
       return KeyboardKey::nine;
+    case GLFW_KEY_PERIOD:
+    case GLFW_KEY_KP_DECIMAL:
+      return KeyboardKey::period;
     case GLFW_KEY_SPACE:
       return KeyboardKey::space;
     case GLFW_KEY_TAB:

@@ -21,6 +21,7 @@ enum class KeyboardKey {
   five,
   seven,
   nine,
+  period,
   space,
   tab,
   left,

@@ -33,6 +33,12 @@ std::vector<ListedJoint> listed_joints(const StagedCharacter& character) {
   return out;
 }
 
+std::string called_joint(const StagedCharacter& character, const std::string& name) {
+  const auto node = find_joint(*character.model, character.humanoid, name);
+  const std::string called = node ? joint_name(character, *node) : "";
+  return called.empty() ? name : called;
+}
+
 std::string joint_name(const StagedCharacter& character, int node) {
   for (const ListedJoint& joint : listed_joints(character))
     if (joint.node == node) return joint.name;

@@ -17,6 +17,10 @@ struct ListedJoint {
 };
 std::vector<ListedJoint> listed_joints(const StagedCharacter& character);
 
+/// What the scene calls the joint that a name of any kind means, so that it has one track alone; the name itself where
+/// the character has no such joint.
+std::string called_joint(const StagedCharacter& character, const std::string& name);
+
 /// What the scene calls a node of the character; empty where it is no joint with a name.
 std::string joint_name(const StagedCharacter& character, int node);
 

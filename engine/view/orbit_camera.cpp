@@ -27,6 +27,11 @@ void OrbitCamera::frame(const Bounds& box, double aspect) {
   distance = std::clamp(glm::length(frame_box(box, direction, aspect, rays).eye - target), shortest, longest);
 }
 
+void OrbitCamera::frame(const Vec3& centre, double reach, double aspect) {
+  target = centre;
+  distance = std::clamp(2.0 * reach / seen_height(1.0) / std::min(aspect, 1.0), shortest, longest);
+}
+
 void OrbitCamera::orbit(double across, double down) {
   direction.azimuth = std::remainder(direction.azimuth - turn * across, 360.0);
   direction.elevation = std::clamp(direction.elevation + turn * down, -90.0, 90.0);

@@ -16,6 +16,8 @@ struct OrbitCamera {
   static OrbitCamera of(const FrameMaker& maker, int frame, double aspect);
   /// Frames a box from where it looks.
   void frame(const Bounds& box, double aspect);
+  /// Frames what lies within `reach` of a point, as `--zoom` does.
+  void frame(const Vec3& centre, double reach, double aspect);
 
   /// `across`, `down`: shares of the picture's height that the pointer went.
   void orbit(double across, double down);

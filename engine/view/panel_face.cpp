@@ -6,6 +6,7 @@
 
 #include "engine/model/scene_words.h"
 #include "engine/view/face_canvas.h"
+#include "engine/view/face_sliders.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
@@ -18,7 +19,7 @@ constexpr float handle_radius = 4.5f, handle_reach = 9.0f;
 /// The character whose face is shown: the chosen one, else the first that has one.
 std::optional<std::size_t> faced_character(const Document& document, const ViewState& state) {
   const std::vector<StagedCharacter>& characters = document.stage().characters;
-  const auto has = [](const StagedCharacter& character) { return character.mesh.face.has_value(); };
+  const auto has = [](const StagedCharacter& character) { return character.mesh.face || target_face(character); };
   if (state.character < characters.size() && has(characters[state.character])) return state.character;
   const auto found = std::ranges::find_if(characters, has);
   if (found == characters.end()) return std::nullopt;
@@ -117,32 +118,6 @@ void draw_picture(const Document& document, ViewState& state, std::size_t charac
   if (near >= 0) ImGui::SetTooltip("%s", handle_tip(picture.handles[static_cast<std::size_t>(near)], face).c_str());
 }
 
-/// Sliders in two columns: `draw(i)` makes the slider of each.
-template <class Draw>
-void in_columns(const char* id, std::size_t count, Draw draw) {
-  if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchSame)) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    ImGui::TableNextColumn();
-    ImGui::SetNextItemWidth(-1.0f);
-    ImGui::PushID(static_cast<int>(i));
-    draw(i);
-    ImGui::PopID();
-  }
-  ImGui::EndTable();
-}
-
-/// A slider with its name inside; true while it is moved.
-bool named_slider(const std::string& name, double& value, double low, double high, ViewState& state) {
-  float shown = static_cast<float>(value);
-  const std::string format = name + " %.2f";
-  const bool moved = ImGui::SliderFloat("##value", &shown, static_cast<float>(low), static_cast<float>(high),
-                                        format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-  if (ImGui::IsItemDeactivatedAfterEdit()) state.edit_ended = true;
-  // What a float shows as two decimals is meant so.
-  if (moved) value = std::round(1000.0 * static_cast<double>(shown)) / 1000.0;
-  return moved;
-}
-
 void draw_lip_shares(const Document& document, ViewState& state, std::size_t character, const ShownFace& face) {
   static constexpr std::array shares{std::pair{FaceChannel::lip_pucker, "pucker"},
                                      std::pair{FaceChannel::lip_press, "press"},
@@ -161,17 +136,6 @@ void draw_lip_shares(const Document& document, ViewState& state, std::size_t cha
     ImGui::PopID();
   }
   ImGui::EndTable();
-}
-
-void draw_expressions(const Document& document, ViewState& state, std::size_t character, const ShownFace& face) {
-  const auto names = expression_names();
-  in_columns("expressions", names.size() - 1, [&](std::size_t i) {
-    double strength = face.strengths[i + 1];
-    if (!named_slider(names[i + 1], strength, 0.0, most_expression_strength, state)) return;
-    Scene scene = document.scene();
-    set_expression(scene.characters[character], state.playback.shown(), static_cast<Expression>(i + 1), strength);
-    state.ask(std::move(scene), names[i + 1], "expression " + names[i + 1]);
-  });
 }
 
 void draw_head(const Document& document, ViewState& state, std::size_t character) {
@@ -207,6 +171,12 @@ void draw_head(const Document& document, ViewState& state, std::size_t character
 }  // namespace
 
 bool has_face(const Document& document) {
+  return has_face_regions(document) ||
+         std::ranges::any_of(document.stage().characters,
+                             [](const StagedCharacter& character) { return target_face(character).has_value(); });
+}
+
+bool has_face_regions(const Document& document) {
   return std::ranges::any_of(document.stage().characters,
                              [](const StagedCharacter& character) { return character.mesh.face.has_value(); });
 }
@@ -236,10 +206,13 @@ void draw_face(const Document& document, ViewState& state) {
   }
   show_tip("takes all expressions and regions away, at all frames");
   ImGui::BeginChild("face");
-  draw_picture(document, state, *character, *face);
-  draw_lip_shares(document, state, *character, *face);
-  ImGui::TextDisabled("Expressions: one at each key, 1 is whole");
-  draw_expressions(document, state, *character, *face);
+  if (staged.mesh.face) {
+    draw_picture(document, state, *character, *face);
+    draw_lip_shares(document, state, *character, *face);
+    draw_expressions(document, state, *character, *face, nullptr);
+  } else {
+    draw_target_face(document, state, *character, *face);
+  }
   if (has_drawn_head(staged.scene)) {
     ImGui::TextDisabled("%s", state.wanted_head ? "Head: drawing it ..." : "Head");
     draw_head(document, state, *character);

@@ -3,10 +3,13 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "engine/view/fitted_text.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
 namespace {
+
+constexpr float open_width = 420.0f;
 
 void draw_open(ViewState& state) {
   if (ImGui::Button("Open")) {
@@ -19,13 +22,16 @@ void draw_open(ViewState& state) {
     state.open = file;
     ImGui::CloseCurrentPopup();
   };
-  ImGui::SetNextItemWidth(420.0f);
+  ImGui::SetNextItemWidth(open_width);
   const bool entered = ImGui::InputText("##path", &state.open_field, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   if (ImGui::Button("Open##it") || entered) ask(state.open_field);
   if (!state.recent.empty()) ImGui::TextDisabled("recent");
-  for (const std::string& file : state.recent)
-    if (ImGui::Selectable(file.c_str())) ask(file);
+  for (const std::string& file : state.recent) {
+    const std::string shown = fitted_text(file, open_width, FittedEnd::last);
+    if (ImGui::Selectable((shown + "##" + file).c_str())) ask(file);
+    if (shown != file) show_tip(file);
+  }
   ImGui::EndPopup();
 }
 
@@ -66,16 +72,11 @@ void draw_saving(ViewState& state) {
 }
 
 void draw_recording(ViewState& state) {
-  if (!state.recorded) {
-    draw_name("##film", state.film);
-    if (ImGui::Button("Record", {-1.0f, 0.0f})) state.record = true;
-    show_tip("Ctrl+R: all frames, as sinew render does: .mp4, .webm, .gif, or pictures x_####.png");
-    return;
-  }
-  ImGui::ProgressBar(static_cast<float>(*state.recorded), {ImGui::GetContentRegionAvail().x - buttons_width, 0.0f});
-  ImGui::SameLine();
-  if (ImGui::Button("Stop", {-1.0f, 0.0f})) state.stop_recording = true;
-  show_tip("stops recording; no film is left");
+  ImGui::BeginDisabled(state.records);
+  draw_name("##film", state.film);
+  if (ImGui::Button("Record", {-1.0f, 0.0f})) state.record = true;
+  ImGui::EndDisabled();
+  show_tip("Ctrl+R: all frames, as sinew render does: .mp4, .webm, .gif, or pictures x_####.png");
 }
 
 void draw_disk_change(ViewState& state) {
@@ -88,13 +89,36 @@ void draw_disk_change(ViewState& state) {
 
 }  // namespace
 
-void draw_file(const Document& document, ViewState& state) {
-  const std::filesystem::path file = state.file;
-  ImGui::Text("%s%s", file.filename().c_str(), document.is_changed() ? " *" : "");
-  show_tip(state.file);
-  const Stage& stage = document.stage();
+void draw_replacing(ViewState& state) {
+  constexpr const char* name = "Replace the file?";
+  if (state.replacing && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (!ImGui::BeginPopupModal(name, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  draw_fitted_text(state.save_as, FittedEnd::last, open_width);
+  ImGui::TextDisabled("exists, and was neither opened nor saved here.");
+  ImGui::Spacing();
+  const auto answer = [&](bool replace) {
+    state.replacing = false;
+    state.replace = replace;
+    ImGui::CloseCurrentPopup();
+  };
+  if (ImGui::Button("Replace", {120.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Enter, false)) answer(true);
   ImGui::SameLine();
-  ImGui::TextDisabled("%zu vertices", stage.vertices());
+  if (ImGui::Button("Cancel", {120.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer(false);
+  ImGui::EndPopup();
+}
+
+void draw_file(const Document& document, ViewState& state) {
+  const Stage& stage = document.stage();
+  const std::string vertices = fmt::format("{} vertices", stage.vertices());
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(vertices.c_str()).x - spacing;
+  const std::string name = std::filesystem::path(state.file).filename().string() + (document.is_changed() ? " *" : "");
+  ImGui::TextUnformatted(fitted_text(name, room, FittedEnd::last).c_str());
+  show_tip(state.file);
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", vertices.c_str());
   show_tip(fmt::format("{} triangles", stage.triangles()));
   draw_open(state);
   draw_history(document, state);

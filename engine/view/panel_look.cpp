@@ -28,15 +28,19 @@ bool choose(const char* label, const Words& words, int& chosen) {
 void set_overlay(Look& look, Overlay overlay, bool shown) {
   std::erase(look.overlay, overlay);
   if (shown) look.overlay.push_back(overlay);
+  // All edges are the seen ones and more.
+  if (shown && overlay == Overlay::wire) std::erase(look.overlay, Overlay::wire_all);
+  if (shown && overlay == Overlay::wire_all) std::erase(look.overlay, Overlay::wire);
   // A comparison with the picture without overlays needs some.
   if (look.overlay.empty() && look.compare == CompareWith::overlay) look.compare = CompareWith::none;
 }
 
 template <class Ask>
 void draw_overlays(bool with_face, Look& look, const Ask& ask) {
-  static constexpr Overlay shown[] = {Overlay::skeleton, Overlay::bones,   Overlay::muscles, Overlay::wire,
-                                      Overlay::guides,   Overlay::regions, Overlay::box,     Overlay::axes};
-  if (ImGui::BeginTable("overlays", 3, ImGuiTableFlags_SizingStretchSame)) {
+  static constexpr Overlay shown[] = {Overlay::skeleton, Overlay::bones,  Overlay::muscles,    Overlay::wire,
+                                      Overlay::wire_all, Overlay::arrows, Overlay::projection, Overlay::box,
+                                      Overlay::axes,     Overlay::guides, Overlay::regions};
+  if (ImGui::BeginTable("overlays", 3, ImGuiTableFlags_SizingStretchProp)) {
     for (const Overlay overlay : shown) {
       const std::string name = overlay_names()[static_cast<std::size_t>(overlay)];
       bool on = std::ranges::find(look.overlay, overlay) != look.overlay.end();
@@ -86,7 +90,7 @@ void draw_look(const Document& document, ViewState& state) {
     look.floor = floor;
     ask("floor");
   }
-  draw_overlays(has_face(document), look, ask);
+  draw_overlays(has_face_regions(document), look, ask);
   std::array<float, 3> colour{look.background.red / 255.0f, look.background.green / 255.0f,
                               look.background.blue / 255.0f};
   if (ImGui::ColorEdit3("background", colour.data(), ImGuiColorEditFlags_NoInputs)) {

@@ -3,47 +3,16 @@
 
 #include <imgui.h>
 
-#include "engine/rig/joint_angle.h"
+#include "engine/model/scene_words.h"
+#include "engine/view/fitted_text.h"
+#include "engine/view/muscle_curve.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
 namespace {
 
-constexpr ImU32 curve_colour = IM_COL32(238, 140, 89, 255), grid = IM_COL32(255, 255, 255, 26),
-                mark = IM_COL32(255, 226, 120, 255);
-
-/// Height over the driver's angle, straight at the left, and where it stands now.
-void draw_curve(const Muscle& muscle, double strength, double angle) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, 84.0f);
-  ImGui::InvisibleButton("curve", size);
-  const auto activation = [&](double degrees) {
-    return muscle_activation(degrees, muscle.rest_angle, muscle.reference_angle);
-  };
-  const double highest = std::max({1.0, activation(0.0), activation(180.0), 1e-9}) * 1.1;
-  const auto at = [&](double degrees, double height) {
-    return ImVec2(corner.x + size.x * static_cast<float>((180.0 - degrees) / 180.0),
-                  corner.y + size.y * static_cast<float>(1.0 - std::clamp(height / highest, 0.0, 1.0)));
-  };
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
-  for (const int degrees : {150, 120, 90, 60, 30}) draw.AddLine(at(degrees, 0.0), at(degrees, highest), grid);
-  draw.AddLine(at(180.0, 1.0), at(0.0, 1.0), grid);
-  std::vector<ImVec2> points;
-  for (int degrees = 180; degrees >= 0; degrees -= 2) points.push_back(at(degrees, activation(degrees)));
-  draw.AddPolyline(points.data(), static_cast<int>(points.size()), curve_colour, 0, 2.0f);
-  draw.AddLine(at(angle, 0.0), at(angle, highest), mark);
-  draw.AddCircleFilled(at(angle, activation(angle)), 4.0f, mark);
-  const std::string now = fmt::format("{:.0f}\u00b0: {:.4f}", angle, strength * muscle.peak * activation(angle));
-  const float width = ImGui::CalcTextSize(now.c_str()).x;
-  // The label stands where the curve is low: beside the straight joint, or the bent one for muscles that it stretches.
-  const bool left = muscle.reference_angle < muscle.rest_angle;
-  draw.AddText({left ? corner.x + 6.0f : corner.x + size.x - width - 6.0f, corner.y + 4.0f}, mark, now.c_str());
-  show_tip("height of the swelling over the joint's angle; the thin line is the peak");
-  ImGui::TextDisabled("180\u00b0 straight");
-  const std::string closed = "closed 0\u00b0";
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(closed.c_str()).x);
-  ImGui::TextDisabled("%s", closed.c_str());
+MuscleSpec& spec_of(Scene& scene, const MuscleNumber& number) {
+  return scene.characters[number.character].muscles[number.muscle];
 }
 
 /// Numbers of one muscle, to be dragged.
@@ -54,6 +23,8 @@ class MuscleFields {
 
   void draw() {
     length("peak", muscle_.peak, [](MuscleSpec& spec, double v) { spec.peak = v; });
+    angle("rest angle", muscle_.rest_angle, MuscleAngle::rest);
+    angle("reference angle", muscle_.reference_angle, MuscleAngle::reference);
     length("sigma along", muscle_.sigma.x, [&](MuscleSpec& spec, double v) { spec.sigma = Vec2(v, muscle_.sigma.y); });
     length("sigma across", muscle_.sigma.y, [&](MuscleSpec& spec, double v) { spec.sigma = Vec2(muscle_.sigma.x, v); });
     constexpr double gap = 0.02, edge = 1.0;  // the region may reach half a bone beyond either end
@@ -64,8 +35,21 @@ class MuscleFields {
     field("spread", muscle_.spread, 0.5f, 1.0, 180.0, "%.0f\u00b0",
           [](MuscleSpec& spec, double v) { spec.spread = v; });
   }
+  void turn(const MuscleAngleDrag& drag) {
+    ask("angle", [&](MuscleSpec& spec) { set_muscle_angle(spec, muscle_, drag.which, drag.degrees); });
+  }
 
  private:
+  template <class Change>
+  void ask(const char* label, Change change) {
+    Scene scene = document_.scene();
+    change(spec_of(scene, number_));
+    state_.ask(std::move(scene), muscle_.name + " " + label, muscle_.name + label);
+  }
+  void angle(const char* label, double value, MuscleAngle which) {
+    field(label, value, 0.5f, 0.0, 180.0, "%.1f\u00b0",
+          [&](MuscleSpec& spec, double v) { set_muscle_angle(spec, muscle_, which, v); });
+  }
   /// Each step is a share of the length itself, whatever the model's unit.
   template <class Set>
   void length(const char* label, double value, Set set) {
@@ -78,11 +62,8 @@ class MuscleFields {
     float shown = static_cast<float>(value);
     ImGui::SetNextItemWidth(120.0f);
     if (ImGui::DragFloat(label, &shown, speed, static_cast<float>(low), static_cast<float>(high), format,
-                         ImGuiSliderFlags_AlwaysClamp)) {
-      Scene scene = document_.scene();
-      set(scene.characters[number_.character].muscles[number_.muscle], static_cast<double>(shown));
-      state_.ask(std::move(scene), muscle_.name + " " + label, muscle_.name + label);
-    }
+                         ImGuiSliderFlags_AlwaysClamp))
+      ask(label, [&](MuscleSpec& spec) { set(spec, static_cast<double>(shown)); });
     if (ImGui::IsItemDeactivatedAfterEdit()) state_.edit_ended = true;
   }
 
@@ -106,8 +87,91 @@ void draw_muscle(const Document& document, ViewState& state, const MuscleNumber&
     state.ask(std::move(scene), "remove " + placed.muscle.name);
     state.kept_muscle.reset();
   }
-  draw_curve(placed.muscle, document.stage().strength, placed.driver.degrees(character.global));
-  MuscleFields(document, state, number, placed.muscle).draw();
+  MuscleFields fields(document, state, number, placed.muscle);
+  const MuscleCurveUse use =
+      draw_muscle_curve(placed.muscle, document.stage().strength, placed.driver.degrees(character.global));
+  if (use.drag) fields.turn(*use.drag);
+  if (use.ended) state.edit_ended = true;
+  fields.draw();
+}
+
+/// A muscle's row: its name, what it does now, whether it does anything.
+void draw_row(const Document& document, ViewState& state, const MuscleNumber& number) {
+  const PlacedMuscle& placed = document.stage().characters[number.character].muscles[number.muscle];
+  const double activation = state.states[number.character].activations[number.muscle];
+  constexpr float bar_at = 184.0f;
+  const float box = ImGui::GetFrameHeight();
+  ImGui::AlignTextToFramePadding();
+  bool on = placed.muscle.on;
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(on ? ImGuiCol_Text : ImGuiCol_TextDisabled));
+  const bool open = ImGui::TreeNode("row", "%s", placed.muscle.name.c_str());
+  ImGui::PopStyleColor();
+  if (ImGui::IsItemHovered()) state.extras.muscle = number;
+  ImGui::SameLine(bar_at);
+  ImGui::ProgressBar(static_cast<float>(std::clamp(activation, 0.0, 1.0)),
+                     {ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x, 0.0f},
+                     on ? fmt::format("{:.2f}", activation).c_str() : "off");
+  ImGui::SameLine();
+  if (ImGui::Checkbox("##on", &on)) {
+    Scene scene = document.scene();
+    spec_of(scene, number).on = on;
+    state.ask(std::move(scene), (on ? "switch on " : "switch off ") + placed.muscle.name);
+  }
+  show_tip("it swells; off: it stays in the scene, but does nothing");
+  if (!open) return;
+  draw_muscle(document, state, number);
+  ImGui::TreePop();
+}
+
+void tell(ViewState& state, const Error& error) {
+  state.message = error.message;
+  state.is_error = true;
+}
+
+void draw_presets(const Document& document, ViewState& state, std::size_t c) {
+  if (!ImGui::BeginPopup("add a muscle")) return;
+  const Character& character = document.scene().characters[c];
+  const auto& names = muscle_preset_names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(names[i].c_str());
+    for (const MuscleSide side : {MuscleSide::left, MuscleSide::right}) {
+      ImGui::SameLine(side == MuscleSide::left ? 140.0f : 196.0f);
+      const auto preset = static_cast<MusclePreset>(i);
+      ImGui::BeginDisabled(has_muscle(character, preset, side));
+      if (ImGui::Button(side == MuscleSide::left ? "left" : "right", {48.0f, 0.0f})) {
+        Scene scene = document.scene();
+        const auto added = add_muscle(scene.characters[c], document.stage().characters[c], preset, side);
+        const std::string label = added ? "add " + muscle_name(scene.characters[c].muscles.back()) : "";
+        added ? state.ask(std::move(scene), label) : tell(state, added.error());
+        ImGui::CloseCurrentPopup();
+      }
+      ImGui::EndDisabled();
+    }
+    ImGui::PopID();
+  }
+  ImGui::EndPopup();
+}
+
+/// Buttons that give the chosen character muscles.
+void draw_adding(const Document& document, ViewState& state) {
+  const std::size_t c = state.character;
+  if (c >= document.stage().characters.size()) return;
+  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::Button("Add ...", {half, 0.0f})) ImGui::OpenPopup("add a muscle");
+  show_tip("a muscle with all its numbers measured on the model");
+  draw_presets(document, state, c);
+  ImGui::SameLine();
+  if (ImGui::Button("All that fit", {half, 0.0f})) {
+    Scene scene = document.scene();
+    const auto added = add_fitting_muscles(scene.characters[c], document.stage().characters[c]);
+    if (!added) return tell(state, added.error());
+    if (*added > 0) return state.ask(std::move(scene), fmt::format("add {} muscles", *added));
+    state.message = "every muscle that fits is there already";
+    state.is_error = false;
+  }
+  show_tip("what `sinew muscles --all` places; those that are there stay as they are");
 }
 
 }  // namespace
@@ -119,22 +183,14 @@ void draw_muscles(const Document& document, ViewState& state) {
   for (std::size_t c = 0; c < stage.characters.size(); ++c) {
     const std::vector<PlacedMuscle>& muscles = stage.characters[c].muscles;
     if (state.states[c].activations.size() != muscles.size()) continue;
+    if (stage.characters.size() > 1) draw_fitted_text(stage.characters[c].scene.model.string(), FittedEnd::last);
     for (std::size_t m = 0; m < muscles.size(); ++m) {
-      const double activation = state.states[c].activations[m];
       ImGui::PushID(static_cast<int>(100 * c + m));
-      ImGui::AlignTextToFramePadding();
-      const bool open = ImGui::TreeNode(muscles[m].muscle.name.c_str());
-      if (ImGui::IsItemHovered()) state.extras.muscle = MuscleNumber{c, m};
-      ImGui::SameLine(170.0f);
-      ImGui::ProgressBar(static_cast<float>(std::clamp(activation, 0.0, 1.0)), {-1.0f, 0.0f},
-                         fmt::format("{:.2f}", activation).c_str());
-      if (open) {
-        draw_muscle(document, state, {c, m});
-        ImGui::TreePop();
-      }
+      draw_row(document, state, {c, m});
       ImGui::PopID();
     }
   }
+  draw_adding(document, state);
 }
 
 }  // namespace sinew

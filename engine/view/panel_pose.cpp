@@ -3,6 +3,7 @@
 
 #include "engine/core/text.h"
 #include "engine/rig/joint_limits.h"
+#include "engine/view/fitted_text.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
@@ -14,6 +15,8 @@ void draw_sliders(const Document& document, ViewState& state) {
     return;
   }
   const Character& character = document.scene().characters[state.character];
+  // Keys may have come under another of its names, or gone, since it was chosen.
+  state.joint = called_joint(document.stage().characters[state.character], state.joint);
   const auto ask = [&](const std::string& label, const std::string& merge, auto change) {
     Scene scene = document.scene();
     change(scene.characters[state.character]);
@@ -23,7 +26,7 @@ void draw_sliders(const Document& document, ViewState& state) {
   Vec3 degrees = joint_degrees(character, state.joint, frame);
   const auto track = character.keys.find(state.joint);
   const std::size_t keys = track == character.keys.end() ? 0 : track->second.keys.size();
-  ImGui::Text("%s", state.joint.c_str());
+  draw_fitted_text(state.joint, FittedEnd::last);
   const StagedCharacter& staged = document.stage().characters[state.character];
   const auto node = find_joint(*staged.model, staged.humanoid, state.joint);
   const auto limits = node ? joint_limits(*staged.model, staged.humanoid, staged.rest.global, *node) : std::nullopt;
@@ -68,18 +71,21 @@ void draw_pose(const Document& document, ViewState& state) {
   ImGui::InputTextWithHint("##filter", "find a joint", &state.filter);
   ImGui::BeginChild("joints");
   for (std::size_t c = 0; c < stage.characters.size(); ++c) {
-    if (stage.characters.size() > 1) ImGui::TextDisabled("%s", stage.characters[c].scene.model.string().c_str());
+    if (stage.characters.size() > 1) draw_fitted_text(stage.characters[c].scene.model.string(), FittedEnd::last);
     for (const ListedJoint& joint : listed_joints(stage.characters[c])) {
       if (!state.filter.empty() && lower(joint.shown).find(lower(state.filter)) == std::string::npos) continue;
       const bool chosen = c == state.character && joint.name == state.joint;
       const bool moved = stage.characters[c].scene.keys.contains(joint.name);
-      const std::string label = std::string(static_cast<std::size_t>(joint.depth), ' ') + joint.shown +
-                                (moved ? " *" : "") + "##" + std::to_string(c) + joint.name;
+      const std::string text =
+          std::string(static_cast<std::size_t>(joint.depth), ' ') + joint.shown + (moved ? " *" : "");
+      const std::string shown = fitted_text(text, ImGui::GetContentRegionAvail().x);
+      const std::string label = shown + "##" + std::to_string(c) + joint.name;
       if (chosen && std::exchange(state.show_joint, false)) ImGui::SetScrollHereY();
       if (ImGui::Selectable(label.c_str(), chosen)) {
         state.character = c;
         state.joint = chosen ? "" : joint.name;
       }
+      if (shown != text) show_tip(joint.shown);
     }
   }
   ImGui::EndChild();

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "engine/view/fitted_text.h"
 #include "engine/view/panel_parts.h"
 
 namespace sinew {
@@ -43,7 +44,7 @@ void draw_bar(const Document& document, Playback& playback) {
                        ImGui::GetColorU32(ImVec4(0.95f, 0.80f, 0.35f, 1.0f)));
   }
   const float now = x_of(playback.shown());
-  draw.AddRectFilled({now - 2.0f, at.y}, {now + 2.0f, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_SliderGrab), 2.0f);
+  draw.AddRectFilled({now - 2.0f, at.y}, {now + 2.0f, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_CheckMark), 2.0f);
 }
 
 }  // namespace
@@ -55,7 +56,10 @@ void draw_time(const Document& document, ViewState& state) {
   ImGui::SameLine();
   if (ImGui::Button("<")) playback.go_to(playback.shown() - 1), playback.playing = false;
   ImGui::SameLine();
-  if (ImGui::Button(playback.playing ? "Pause" : "Play", {70.0f, 0.0f})) playback.playing = !playback.playing;
+  if (ImGui::Button(playback.playing ? "Pause" : "Play", {70.0f, 0.0f}) && !playback.toggle()) {
+    state.message = nothing_to_play;
+    state.is_error = false;
+  }
   ImGui::SameLine();
   if (ImGui::Button(">")) playback.go_to(playback.shown() + 1), playback.playing = false;
   ImGui::SameLine();
@@ -74,12 +78,14 @@ void draw_time(const Document& document, ViewState& state) {
   ImGui::Checkbox("motions", &state.motion.shown);
   show_tip("M: the motion library, and curves of joints' angles");
 
-  if (state.is_error)
-    ImGui::TextColored({1.0f, 0.55f, 0.45f, 1.0f}, "%s", state.message.c_str());
-  else
-    ImGui::TextDisabled("%s", state.message.c_str());
   const std::string device = fmt::format("{:.0f} frames/s   {}   ? for keys", state.frames_a_second, state.device);
   const float width = ImGui::CalcTextSize(device.c_str()).x;
+  const ImVec4 ink =
+      state.is_error ? ImVec4(1.0f, 0.55f, 0.45f, 1.0f) : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+  ImGui::PushStyleColor(ImGuiCol_Text, ink);
+  const float room = ImGui::GetContentRegionAvail().x - width - 2.0f * ImGui::GetStyle().ItemSpacing.x;
+  draw_fitted_text(state.message, FittedEnd::first, room);
+  ImGui::PopStyleColor();
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
   ImGui::TextDisabled("%s", device.c_str());
 }

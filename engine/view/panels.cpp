@@ -45,22 +45,26 @@ void draw_help(ViewState& state) {
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
   if (ImGui::Begin("Keys", &state.help, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
     static constexpr const char* keys[][2] = {{"left drag", "turn the camera"},
-                                              {"right or middle drag", "move it"},
+                                              {"right, middle or Shift drag", "move it"},
                                               {"wheel", "nearer, farther"},
                                               {"click", "choose a joint, or the bone under the skin"},
                                               {"drag a ring", "turn the joint (Shift: steps of 5 degrees)"},
                                               {"drag a diamond", "pull a hand or foot (reach)"},
-                                              {"F", "frame everything beside the panels"},
+                                              {"drag the line", "divide the sides of a comparison"},
+                                              {"double click", "in the drawn face: a region back to rest"},
+                                              {"F", "frame everything"},
+                                              {".", "frame the chosen joint"},
                                               {"1  3  7", "front, the character's left, top (Ctrl: opposite)"},
-                                              {"5", "perspective or parallel rays"},
                                               {"9", "three-quarter"},
+                                              {"5", "perspective or parallel rays"},
                                               {"Space", "play, pause"},
                                               {"Left, Right", "a frame back, on (Shift: ten)"},
                                               {"Home, End", "first, last frame"},
                                               {"K", "key for the chosen joint at this frame"},
-                                              {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+                                              {"Ctrl+Z, Ctrl+Y", "undo, redo (or Ctrl+Shift+Z)"},
                                               {"Ctrl+S", "save the scene"},
                                               {"Ctrl+R", "record a film"},
+                                              {"Ctrl+Q", "close the window"},
                                               {"P", "save the picture without the panels"},
                                               {"M", "motions: library and curves"},
                                               {"Tab", "hide or show the panels"},
@@ -91,9 +95,12 @@ void set_style() {
   style.GrabMinSize = 6.0f;  // beside the values, not over them
   style.ItemSpacing = {8.0f, 6.0f};
   style.Colors[ImGuiCol_WindowBg] = {0.11f, 0.12f, 0.14f, 1.0f};
+  style.Colors[ImGuiCol_PopupBg] = {0.13f, 0.14f, 0.16f, 1.0f};
   style.Colors[ImGuiCol_FrameBg] = {0.20f, 0.22f, 0.25f, 1.0f};
-  style.Colors[ImGuiCol_SliderGrab] = style.Colors[ImGuiCol_CheckMark] = {0.93f, 0.55f, 0.35f, 1.0f};
-  style.Colors[ImGuiCol_SliderGrabActive] = {1.0f, 0.65f, 0.45f, 1.0f};
+  style.Colors[ImGuiCol_CheckMark] = {0.93f, 0.55f, 0.35f, 1.0f};
+  // Values are written over the grabs, in white.
+  style.Colors[ImGuiCol_SliderGrab] = {0.62f, 0.34f, 0.20f, 1.0f};
+  style.Colors[ImGuiCol_SliderGrabActive] = {0.74f, 0.41f, 0.24f, 1.0f};
   style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = {0.17f, 0.19f, 0.22f, 1.0f};
   style.Colors[ImGuiCol_HeaderActive] = style.Colors[ImGuiCol_HeaderHovered] = {0.31f, 0.35f, 0.41f, 1.0f};
   style.Colors[ImGuiCol_ButtonActive] = style.Colors[ImGuiCol_ButtonHovered] = {0.31f, 0.35f, 0.41f, 1.0f};
@@ -108,6 +115,7 @@ void show_tip(const std::string& text) {
 
 void draw_panels(const Document& document, ViewState& state) {
   draw_help(state);
+  draw_replacing(state);
   state.docked.clear();
   state.extras.muscle = state.kept_muscle;
   if (!state.panels) return;
@@ -118,6 +126,7 @@ void draw_panels(const Document& document, ViewState& state) {
     if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) draw_look(document, state);
     if (ImGui::CollapsingHeader("Deformer", ImGuiTreeNodeFlags_DefaultOpen)) draw_deformer(document, state);
     if (ImGui::CollapsingHeader("Muscles", ImGuiTreeNodeFlags_DefaultOpen)) draw_muscles(document, state);
+    draw_skin(document, state);
   }
   ImGui::End();
   if (begin_panel(state, "act", {whole.x - side_width, 0.0f}, {side_width, height})) draw_acting(document, state);

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@
 #include "engine/view/listed_joints.h"
 #include "engine/view/motion_panel.h"
 #include "engine/view/playback.h"
+#include "engine/view/skin_panel.h"
+#include "engine/view/task.h"
 #include "engine/view/window_picture.h"
 
 namespace sinew {
@@ -44,15 +48,17 @@ struct ViewState {
   std::vector<DockedPanel> docked;        ///< that were drawn, in units
   PixelBox picture;                       ///< what they left to the picture in the frame before, likewise
   MotionPanel motion;
+  SkinPanel skin;
 
   // Files: viewer_files.cpp.
-  std::filesystem::path folder;     ///< where a file was last opened or saved
-  std::vector<std::string> recent;  ///< files, the last opened first
-  std::string open_field;           ///< name in the open field
-  bool changed_on_disk = false;     ///< the scene's file is newer than the edits that are shown
-  std::string film;                 ///< name in the record field
-  std::optional<double> recorded;   ///< share of the film that is being recorded
-  bool reload = false, record = false, stop_recording = false, toggle_projection = false;
+  std::filesystem::path folder;             ///< where a file was last opened or saved
+  std::vector<std::string> recent;          ///< files, the last opened first
+  std::string open_field;                   ///< name in the open field
+  bool changed_on_disk = false;             ///< the scene's file is newer than the edits that are shown
+  std::string film;                         ///< name in the record field
+  bool records = false;                     ///< a film is being recorded
+  bool replacing = false, replace = false;  ///< the user is asked whether a file may be replaced; the answer is yes
+  bool reload = false, record = false, toggle_projection = false;
 
   /// A handle of the face that is being dragged, and all as it was before.
   struct FaceDrag {
@@ -62,6 +68,7 @@ struct ViewState {
     Vec2 from{0.0};  ///< of the pointer, pixels
   };
   std::optional<FaceDrag> face_drag;
+  std::map<std::string, TargetAbilities> target_faces;  ///< of models by their hashes, as far as they were shown
 
   /// An edit of the scene that a panel made.
   struct Edit {
@@ -71,7 +78,7 @@ struct ViewState {
   std::optional<Edit> edit;
   bool edit_ended = false;  ///< the slider was let go
   bool undo = false, redo = false, save = false, copy_command = false, screenshot = false, frame_all = false,
-       close = false;
+       frame_joint = false, close = false;
   std::optional<View> view;             ///< one of the standard views was asked for
   std::optional<SceneOptions> options;  ///< deformer, bulge or strength were changed
   std::optional<std::string> open;      ///< another file
@@ -86,5 +93,8 @@ void set_style();
 
 /// Draws all panels for this frame.
 void draw_panels(const Document& document, ViewState& state);
+
+/// What runs beside the window, each with its progress and a way to stop it, over the picture's lower edge.
+void draw_works(std::span<WorkBeside* const> works, const ViewState& state);
 
 }  // namespace sinew

@@ -2,10 +2,23 @@
 
 namespace sinew {
 
+bool Playback::toggle() {
+  if (range.first >= range.last) {
+    playing = false;
+    return false;
+  }
+  playing = !playing;
+  if (playing && repeat == Repeat::once && frame >= range.last) frame = range.first;
+  return true;
+}
+
 void Playback::advance(double seconds, double fps) {
   if (!playing) return;
   const double first = range.first, length = range.last - range.first;
-  if (length <= 0.0) return;
+  if (length <= 0.0) {
+    playing = false;
+    return;
+  }
   const double steps = seconds * fps * speed;
   switch (repeat) {
     case Repeat::once:

@@ -10,6 +10,9 @@ namespace sinew {
 
 enum class Repeat { once, loop, ping_pong };
 
+/// What there is to say where a scene has one frame.
+constexpr const char* nothing_to_play = "nothing to play: the scene has one frame; key a joint or choose a motion";
+
 struct Playback {
   FrameSpan range;
   double frame = 0.0;  ///< shown, within the range
@@ -26,6 +29,9 @@ struct Playback {
     frame = std::clamp<double>(frame, range.first, range.last);
   }
   void go_to(double wanted) { frame = std::clamp<double>(wanted, range.first, range.last); }
+
+  /// Plays, from the beginning where it has come to its end, or pauses. False where there is one frame: nothing plays.
+  bool toggle();
 
   /// Lets `seconds` pass at `fps` frames a second.
   void advance(double seconds, double fps);

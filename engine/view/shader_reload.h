@@ -24,7 +24,7 @@ class ShaderReload {
   /// Starts to compile at the first call, as the sources may be newer than the program, and whenever one of them has
   /// changed; true where it did.
   bool follow();
-  bool is_busy() const { return task_.running(); }
+  WorkBeside& task() { return task_; }
   /// What came of it, once; nothing where it is the code that is in use already. Fails as the compiler does.
   std::optional<Result<std::shared_ptr<const ShaderSet>>> take();
 

@@ -103,8 +103,11 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
     case KeyboardKey::seven:
       state_.view = View::top;
       break;
+    case KeyboardKey::period:
+      state_.frame_joint = true;
+      break;
     case KeyboardKey::space:
-      playback.playing = !playback.playing;
+      if (!playback.toggle()) say(nothing_to_play);
       break;
     case KeyboardKey::tab:
       state_.panels = !state_.panels;

@@ -44,6 +44,8 @@ Result<WindowPicture> WindowPicture::create(Device& device, const Document& docu
     if (!made) return pass_on(std::move(made));
     out.other_ = std::move(*made);
     out.labels_ = {sides[0].label, sides[1].label};
+    // Which overlays there are may change while the sides stay.
+    if (scene.compare == CompareWith::overlay) out.labels_ = {"with overlays", "without"};
   }
   if (auto font = Font::find()) out.font_ = std::move(*font);
   return out;
@@ -97,6 +99,12 @@ Result<std::string> WindowPicture::save_photo(int frame, const PictureSize& size
 void WindowPicture::follow_stage() {
   maker_.follow_stage();
   if (other_) other_->follow_stage();
+}
+
+Result<void> WindowPicture::follow_muscles() {
+  if (other_)
+    if (auto ok = other_->follow_muscles(); !ok) return ok;
+  return maker_.follow_muscles();
 }
 
 Result<void> WindowPicture::resize(const PictureSize& size) {

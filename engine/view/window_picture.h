@@ -33,6 +33,8 @@ class WindowPicture {
   /// after it and the frame; returns its name. Fails as cannot_write.
   Result<std::string> save_photo(int frame, const PictureSize& size, const std::filesystem::path& scene_file);
   void follow_stage();
+  /// Shows the muscles' numbers as the document has them now. Fails as FrameMaker::follow_muscles does.
+  Result<void> follow_muscles();
   Result<void> resize(const PictureSize& size);
 
  private:

@@ -90,7 +90,7 @@ TEST_F(JsonOutput, InfoOnAScene) {
   const Json& muscle = json["muscles"][0];
   expect_keys(muscle,
               {"name", "bone", "child", "driver", "tip", "facing", "from", "to", "spread", "peak", "sigma",
-               "rest_angle", "reference_angle", "centre", "region_vertices", "segment_vertices"},
+               "rest_angle", "reference_angle", "on", "centre", "region_vertices", "segment_vertices"},
               "a muscle");
   EXPECT_EQ(muscle["name"], "biceps_left");
   EXPECT_GT(muscle["region_vertices"], 0);

@@ -59,6 +59,39 @@ TEST_F(Muscles, WritesASceneThatShowsTheBareModel) {
   EXPECT_EQ(same["pixels_over"], 0) << "the same picture";
 }
 
+TEST_F(Muscles, OneThatIsOffIsAsIfItWereNotThere) {
+  const auto scene = [&](const std::string& muscles) {
+    return R"({"sinew": 1, "frames": [0, 3], "characters": [{"model": "builtin:arm", "muscles": [)" + muscles +
+           R"(], "keys": {"leftLowerArm": [[0, [0, 0, 0]], [3, [0, -120, 0]]]}}]})";
+  };
+  const std::string triceps = R"({"preset": "triceps", "side": "left"})",
+                    biceps = R"({"preset": "biceps", "side": "left")";
+  write("on.json", scene(triceps + "," + biceps + "}"));
+  write("off.json", scene(triceps + "," + biceps + R"(, "on": false})"));
+  write("without.json", scene(triceps));
+  for (const std::string name : {"on", "off", "without"}) {
+    for (const std::string by : {"gpu", "cpu"}) {
+      const ProgramResult out = run({"export", name + ".json", "--frame", "3", "--by", by, "-o", name + by + ".ply"});
+      ASSERT_EQ(out.exit_code, 0) << out;
+    }
+    for (const std::string shading : {"lit", "bulge"}) {
+      const ProgramResult drawn = run({"render", name + ".json", "--frame", "3", "--size", "320x240", "--shading",
+                                       shading, "-o", name + shading + ".png"});
+      ASSERT_EQ(drawn.exit_code, 0) << drawn;
+    }
+  }
+  for (const std::string file : {"gpu.ply", "cpu.ply", "lit.png", "bulge.png"}) {
+    EXPECT_EQ(read("off" + file), read("without" + file)) << file;
+    EXPECT_NE(read("off" + file), read("on" + file)) << file;
+  }
+  EXPECT_TRUE(json({"parity", "off.json"})["pass"]);
+  const Json listed = json({"info", "off.json", "--pose", "leftLowerArm=0,-120,0"})["muscles"];
+  ASSERT_EQ(listed.size(), 2u) << "it is still there";
+  EXPECT_EQ(listed[1]["on"], false);
+  EXPECT_EQ(listed[1]["activation"], 0.0);
+  EXPECT_GT(listed[1]["region_vertices"], 0);
+}
+
 TEST_F(Muscles, StrengthScalesThePeaks) {
   SINEW_ASSETS_OR_SKIP(assets);
   const std::string model = (assets / "characters/makehuman/mh_male_game.glb").string();

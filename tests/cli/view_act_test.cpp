@@ -37,7 +37,7 @@ class ViewAct : public View {
 TEST_F(ViewAct, AFaceIsPulledAndGrowsYounger) {
   const nlohmann::json scene = after("builtin:head", [&] {
     click(1051, 18);             // Face
-    drag(1130, 257, 1130, 281);  // the chin
+    drag(1130, 262, 1130, 284);  // the chin
     drag(994, 384, 1048, 384);   // smile
     drag(994, 534, 1123, 534);   // age
     std::this_thread::sleep_for(2s);
@@ -98,8 +98,8 @@ TEST_F(ViewAct, OverlaysAreThoseOfRender) {
 
 TEST_F(ViewAct, AComparisonIsDividedInTheWindow) {
   const nlohmann::json scene = after("builtin:woman", [&] {
-    click(200, 285);           // compare
-    click(60, 355);            // deformer
+    click(200, 308);           // compare
+    click(60, 378);            // deformer
     drag(640, 400, 800, 400);  // the line between the sides does not turn the camera
     act("key p");
     std::this_thread::sleep_for(4s);
@@ -120,6 +120,37 @@ TEST_F(ViewAct, AMusclesPeakIsDragged) {
       },
       R"("muscles": [{"preset": "biceps", "side": "left", "peak": 0.01}])");
   EXPECT_GT(scene.at("characters").at(0).at("muscles").at(0).at("peak").get<double>(), 0.0105);
+}
+
+TEST_F(ViewAct, AMuscleIsSwitchedOffAndOthersAreAdded) {
+  const nlohmann::json scene = after(
+      "builtin:woman",
+      [&] {
+        click(150, 122);  // Look closes
+        click(150, 149);  // so does Deformer
+        click(274, 203);  // the muscle's switch
+        click(220, 233);  // all that fit
+        act("key p");
+        std::this_thread::sleep_for(3s);
+      },
+      R"("muscles": [{"preset": "biceps", "side": "left"}])");
+  const nlohmann::json& muscles = scene.at("characters").at(0).at("muscles");
+  ASSERT_EQ(muscles.size(), 16u) << muscles;
+  EXPECT_EQ(muscles.at(0).at("on"), false);
+  EXPECT_FALSE(muscles.at(1).contains("on"));
+  expect_photo_is_rendered();
+}
+
+TEST_F(ViewAct, AFaceOfMorphTargetsShowsExpressions) {
+  json({"head", "--level", "1", "-o", "head.glb"});
+  const nlohmann::json scene = after("head.glb", [&] {
+    click(1051, 18);            // Face
+    drag(994, 112, 1056, 112);  // smile
+    act("key p");
+    std::this_thread::sleep_for(3s);
+  });
+  EXPECT_NE(scene.at("characters").at(0).at("expressions").dump().find("smile"), std::string::npos) << scene.dump(2);
+  expect_photo_is_rendered();
 }
 
 }  // namespace

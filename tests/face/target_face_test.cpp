@@ -48,6 +48,31 @@ const std::vector<std::string> arkit{"browInnerUp",      "browDownLeft",      "b
                                      "mouthFrownRight",  "cheekSquintLeft",   "cheekSquintRight", "jawOpen",
                                      "mouthUpperUpLeft", "mouthUpperUpRight", "noseSneerLeft",    "noseSneerRight"};
 
+TEST(TargetFace, TellsBeforehandWhatItWouldRefuse) {
+  for (const auto& names : {arkit, {"jawOpen", "smile"}, {"happy", "angry", "aa"}, {"blink"}}) {
+    const Model model = model_with(names);
+    const CharacterMesh mesh = character_mesh(model);
+    auto face = TargetFace::find(model, mesh);
+    ASSERT_TRUE(face);
+    for (const FacePreset& preset : expressions()) {
+      FaceTrack track;
+      track.keys.push_back({&preset, Keyed<double>::constant(1.0)});
+      EXPECT_EQ(face->can_show(preset), face->prepare(track).has_value()) << preset.name;
+    }
+    EXPECT_EQ(face->can_show(**find_expression("smile")), names != std::vector<std::string>{"blink"});
+    EXPECT_EQ(face->can_show(**find_expression("sadness")), names == arkit) << "few targets make few expressions";
+    for (std::size_t c = 0; c < face_channels; ++c)
+      for (const double value : {-0.1, 0.1}) {
+        FaceTrack track;
+        track.regions.push_back({c, Keyed<std::vector<double>>::constant({value})});
+        EXPECT_EQ(face->can_move(c, value > 0.0), face->prepare(track).has_value());
+      }
+    const auto jaw = static_cast<std::size_t>(FaceChannel::jaw_drop);
+    EXPECT_EQ(face->can_move(jaw, true), names != std::vector<std::string>{"blink"});
+    EXPECT_FALSE(face->can_move(jaw, false)) << "no target closes a closed jaw";
+  }
+}
+
 TEST(TargetFace, ATargetOfTheExpressionsNameIsTheExpression) {
   const auto weights = weights_of({"jawOpen", "smile"}, showing(Expression::smile, 0.8), 5);
   EXPECT_DOUBLE_EQ(weights.at("smile"), 0.4);

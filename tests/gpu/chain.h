@@ -25,6 +25,32 @@ struct Chain {
 
 constexpr int chain_joints = 10;
 
+/// On the middle of the tube's front.
+inline MuscleSpec chain_muscle_spec() {
+  MuscleSpec spec;
+  spec.name = "belly";
+  spec.bone = "joint3";
+  spec.child = "joint7";
+  spec.driver = "joint7";
+  spec.tip = "joint8";
+  spec.facing = Vec3(0, 0, 1);
+  spec.from = 0.0;
+  spec.to = 1.0;
+  spec.spread = 80.0;
+  spec.peak = 0.06;
+  spec.sigma = Vec2(0.15, 0.12);
+  spec.rest_angle = 180.0;
+  spec.reference_angle = 60.0;
+  return spec;
+}
+
+inline PlacedMuscle chain_muscle(const Chain& chain, const MuscleSpec& spec) {
+  const Humanoid nobody;
+  auto placed = place_muscle({chain.model, chain.mesh, chain.rest, nobody}, spec);
+  EXPECT_TRUE(placed) << (placed ? "" : placed.error().message);
+  return placed ? std::move(*placed) : PlacedMuscle{};
+}
+
 /// Joints stand at y = 0, 0.2, ... 1.8. Each vertex follows the `influences` nearest joints, weights random but smooth
 /// in nothing: the worst case for a packing. Two morph targets move every third vertex. Tangents lie askew on the skin.
 inline Chain make_chain(std::size_t influences, bool morphs = true, bool tangents = true) {
@@ -76,24 +102,7 @@ inline Chain make_chain(std::size_t influences, bool morphs = true, bool tangent
         tangent_in_plane(Vec4(unit(askew), unit(askew), -unit(askew), v % 2 == 0 ? 1 : -1), chain.mesh.normals[v]));
   chain.rest = rest_shape(model, chain.mesh, chain.order);
 
-  MuscleSpec spec;
-  spec.name = "belly";
-  spec.bone = "joint3";
-  spec.child = "joint7";
-  spec.driver = "joint7";
-  spec.tip = "joint8";
-  spec.facing = Vec3(0, 0, 1);
-  spec.from = 0.0;
-  spec.to = 1.0;
-  spec.spread = 80.0;
-  spec.peak = 0.06;
-  spec.sigma = Vec2(0.15, 0.12);
-  spec.rest_angle = 180.0;
-  spec.reference_angle = 60.0;
-  const Humanoid nobody;
-  auto placed = place_muscle({model, chain.mesh, chain.rest, nobody}, spec);
-  EXPECT_TRUE(placed) << (placed ? "" : placed.error().message);
-  chain.muscles.push_back(std::move(*placed));
+  chain.muscles.push_back(chain_muscle(chain, chain_muscle_spec()));
   return chain;
 }
 

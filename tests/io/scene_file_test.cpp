@@ -195,6 +195,19 @@ TEST(SceneFile, AMotionSaysWhenAndHowItPlays) {
   EXPECT_EQ(parsed(scene_text(scene, "/scenes")), scene);
 }
 
+TEST(SceneFile, AMuscleMayBeOff) {
+  const std::string calf = R"({"preset": "calf", "side": "left")";
+  const auto scene = [&](const std::string& rest) {
+    return R"({"sinew": 1, "characters": [{"model": "a", "muscles": [)" + calf + rest + "}]}]}";
+  };
+  const Scene off = parsed(scene(R"(, "on": false)"));
+  EXPECT_FALSE(off.characters[0].muscles[0].on);
+  EXPECT_TRUE(parsed(scene("")).characters[0].muscles[0].on);
+  EXPECT_EQ(parsed(scene(R"(, "on": true)")), parsed(scene("")));
+  EXPECT_EQ(parsed(scene_text(off, "/scenes")), off);
+  EXPECT_EQ(error_of(scene(R"(, "on": 0)")), "test.json: /characters/0/muscles/0/on: expected true or false, found 0");
+}
+
 TEST(SceneFile, WritesPathsRelativeToItsFolder) {
   Scene scene;
   scene.characters.resize(1);

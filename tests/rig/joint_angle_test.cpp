@@ -106,6 +106,15 @@ TEST(MuscleActivation, ServesWhereTheReferenceIsTheLargerAngle) {
   EXPECT_EQ(muscle_activation(100, 115, 150), 0.0);
 }
 
+TEST(MuscleActivation, OfAMuscleThatIsOffIsNothing) {
+  Muscle muscle;
+  muscle.rest_angle = 180.0;
+  muscle.reference_angle = 60.0;
+  EXPECT_EQ(muscle_activation(muscle, 90.0), muscle_activation(90.0, 180.0, 60.0));
+  muscle.on = false;
+  for (const double angle : {0.0, 60.0, 90.0, 180.0}) EXPECT_EQ(muscle_activation(muscle, angle), 0.0);
+}
+
 TEST(MuscleActivation, BelowABillionthIsNothing) {
   EXPECT_EQ(muscle_activation(180 - 0.9e-7, 180, 80), 0.0);
   EXPECT_GT(muscle_activation(180 - 1.1e-7, 180, 80), 1e-9);

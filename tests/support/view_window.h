@@ -42,10 +42,13 @@ class XServer {
     close(ends[0]);
     if (!number.empty()) display = ":" + number;
   }
-  ~XServer() {
+  ~XServer() { stop(); }
+  /// Every window loses its display.
+  void stop() {
     if (server_ <= 0) return;
     kill(server_, SIGTERM);
     waitpid(server_, nullptr, 0);
+    server_ = -1;
   }
 
   std::string display;  ///< ":3"; empty where the server did not start
@@ -121,7 +124,7 @@ class View : public ProgramTest {
         << words;
   }
   const std::string& display() const { return server_.display; }
-  const XServer& screen() const { return server_; }
+  XServer& screen() { return server_; }
   void press(const std::string& key) const {
     act("key " + key);
     std::this_thread::sleep_for(400ms);

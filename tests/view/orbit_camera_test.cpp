@@ -32,6 +32,19 @@ TEST(OrbitCamera, FramesAsRenderDoes) {
   }
 }
 
+TEST(OrbitCamera, FramesABallUpright) {
+  const Vec3 centre(0.2, 1.4, 0.1);
+  for (const double aspect : {1.5, 0.5}) {
+    OrbitCamera camera;
+    camera.frame(centre, 0.3, aspect);
+    const Viewpoint view = seen(camera);
+    EXPECT_LT(glm::distance(on_screen(camera, centre), Vec2(0.0)), 1e-12);
+    // Upwards it reaches the picture's edge; in a narrow picture it reaches the sides'.
+    const double edge = on_screen(camera, centre + 0.3 * view.up).y;
+    EXPECT_NEAR(edge, -std::min(aspect, 1.0), 1e-9) << "+y is downwards";
+  }
+}
+
 TEST(OrbitCamera, OrbitsRoundItsTarget) {
   OrbitCamera camera;
   camera.target = {0, 1, 0};

@@ -70,5 +70,29 @@ TEST(Playback, StaysWithinItsRange) {
   EXPECT_EQ(playback.shown(), 12) << "a range of one frame";
 }
 
+TEST(Playback, OneFrameDoesNotPlay) {
+  Playback playback;
+  playback.set_range({3, 3});
+  EXPECT_FALSE(playback.toggle());
+  EXPECT_FALSE(playback.playing);
+  playback.playing = true;  // a scene of one frame came while another was playing
+  playback.advance(0.1, 24.0);
+  EXPECT_FALSE(playback.playing);
+  EXPECT_EQ(playback.shown(), 3);
+}
+
+TEST(Playback, PlaysAgainFromTheBeginningAfterTheEnd) {
+  Playback playback = at(20, Repeat::once);
+  playback.playing = false;
+  EXPECT_TRUE(playback.toggle());
+  EXPECT_TRUE(playback.playing);
+  EXPECT_EQ(playback.shown(), 10);
+  EXPECT_TRUE(playback.toggle());
+  EXPECT_FALSE(playback.playing);
+  playback.go_to(15);
+  EXPECT_TRUE(playback.toggle());
+  EXPECT_EQ(playback.shown(), 15) << "a pause goes on where it was";
+}
+
 }  // namespace
 }  // namespace sinew::test
