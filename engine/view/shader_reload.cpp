@@ -17,7 +17,7 @@ ShaderReload::ShaderReload(ShaderBuild build) : build_(std::move(build)) {
 }
 
 bool ShaderReload::follow() {
-  if (!build_.compile || is_busy()) return false;
+  if (!build_.compile || task_.running()) return false;
   const bool changed = watch_.has_changed();
   if (!std::exchange(due_, false) && !changed) return false;
   return task_.start("compiling shaders",

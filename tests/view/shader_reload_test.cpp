@@ -47,7 +47,7 @@ class ShaderReloadTest : public ::testing::Test {
   /// What comes of the work that has begun.
   static std::optional<Result<std::shared_ptr<const ShaderSet>>> outcome(ShaderReload& reload) {
     std::optional<Result<std::shared_ptr<const ShaderSet>>> made;
-    while (reload.is_busy() && !made) made = reload.take();
+    while (reload.task().running() && !made) made = reload.take();
     return made;
   }
   /// FileWatch asks the disk four times a second: after this it has asked.
