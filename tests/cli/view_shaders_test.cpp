@@ -23,7 +23,7 @@ class ViewShaders : public View {
     write("shaders/surface.frag", text);
   }
   /// Of the whole screen, as red as can be.
-  int red_pixels() const {
+  int red_pixels() {
     const std::vector<std::uint8_t> rgba = screen().pixels(0, 0, 1280, 720);
     EXPECT_FALSE(rgba.empty());
     int count = 0;
