@@ -138,12 +138,9 @@ Viewpoint FrameMaker::viewpoint(int frame, double orbit) const {
                  place.rays);
 }
 
-Result<void> FrameMaker::draw_for_window(int frame, const std::vector<CharacterState>& states,
-                                         const std::optional<PictureArea>& seen) {
+Result<void> FrameMaker::draw_for_window(int frame, const std::vector<CharacterState>& states) {
   if (auto ok = upload(states); !ok) return ok;
-  Shot shown = shot(frame);
-  shown.seen = seen;
-  return renderer_.draw_for_window(shown);
+  return renderer_.draw_for_window(shot(frame));
 }
 
 Result<void> FrameMaker::resize(const PictureSize& size) {

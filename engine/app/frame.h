@@ -52,9 +52,7 @@ class FrameMaker {
 
   // For windows.
   /// As picture(), into the renderer's own image. `states`: pose(frame).
-  /// `seen`: Shot::seen.
-  Result<void> draw_for_window(int frame, const std::vector<CharacterState>& states,
-                               const std::optional<PictureArea>& seen = {});
+  Result<void> draw_for_window(int frame, const std::vector<CharacterState>& states);
   Result<void> resize(const PictureSize& size);
   /// Takes the bounds anew after the stage's motions or poses have changed. Its meshes and materials, the
   /// muscles (follow_muscles) and which joint's weights are shown, must be those that the maker was created with.

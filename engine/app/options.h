@@ -48,6 +48,7 @@ ClipChoice parse_clip(std::string_view text);
 
 struct PictureSize {
   int width = 1280, height = 720;
+  bool operator==(const PictureSize&) const = default;
 };
 Result<PictureSize> parse_size(std::string_view text);
 Result<void> check_samples(int samples);

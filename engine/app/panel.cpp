@@ -10,11 +10,6 @@ namespace {
 /// Of the panel's height and width: of an inset alone, and of one of two.
 constexpr double inset_share = 0.36, paired_inset_share = 0.44;
 
-Vec3 zoom_position(const Stage& stage, const ZoomTarget& zoom, int frame) {
-  const CharacterState state = character_state(stage, zoom.character, frame);
-  return Vec3(character_placement(stage, zoom.character, frame) * state.global[zoom.node] * zoom.place);
-}
-
 /// The box of the skin that follows a joint, in the rest pose.
 Bounds skin_of(const StagedCharacter& character, int node) {
   Bounds box;
@@ -30,9 +25,15 @@ PictureSize inset_size(const PictureSize& whole) {
           std::max(static_cast<int>(inset_share * whole.height), 1)};
 }
 
-Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name) {
+Vec3 zoom_position(const Stage& stage, const ZoomTarget& zoom, int frame) {
+  const CharacterState state = character_state(stage, zoom.character, frame);
+  return Vec3(character_placement(stage, zoom.character, frame) * state.global[zoom.node] * zoom.place);
+}
+
+Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name, std::optional<std::size_t> only) {
   std::optional<Error> unknown;
   for (std::size_t i = 0; i < stage.characters.size(); ++i) {
+    if (only && i != *only) continue;
     const StagedCharacter& character = stage.characters[i];
     for (const PlacedMuscle& placed : character.muscles) {
       if (placed.muscle.name != name) continue;

@@ -14,8 +14,12 @@ struct ZoomTarget {
 };
 
 /// The joint or muscle of that name, and how much round it is worth seeing: most of a joint's longer neighbouring
-/// segment, half of a muscle's. Fails as bad_input with the nearest known name of a joint.
-Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name);
+/// segment, half of a muscle's. Of the first character that has it, or of one `only`. Fails as bad_input with the
+/// nearest known name of a joint.
+Result<ZoomTarget> find_zoom(const Stage& stage, const std::string& name, std::optional<std::size_t> only = {});
+
+/// Where its middle is at a frame, world space.
+Vec3 zoom_position(const Stage& stage, const ZoomTarget& zoom, int frame);
 
 /// The size of a whole panel as an inset of another one.
 PictureSize inset_size(const PictureSize& whole);

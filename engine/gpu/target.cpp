@@ -46,11 +46,10 @@ vk::ImageCreateInfo image_info(const Target& target, vk::Format format, vk::Samp
 }
 
 void begin_rendering(const Target& target, const vk::raii::CommandBuffer& commands,
-                     const vk::RenderingAttachmentInfo& colour, const vk::RenderingAttachmentInfo& depth,
-                     const vk::Rect2D& area) {
-  commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour, &depth));
+                     const vk::RenderingAttachmentInfo& colour, const vk::RenderingAttachmentInfo& depth) {
+  const vk::Rect2D whole({0, 0}, {target.width, target.height});
+  commands.beginRendering(vk::RenderingInfo({}, whole, 1, 0, colour, &depth));
   cover(commands, target.width, target.height);
-  commands.setScissor(0, area);
 }
 
 }  // namespace
@@ -148,8 +147,7 @@ vk::RenderingAttachmentInfo Target::colour_attachment(vk::AttachmentLoadOp load,
   return info;
 }
 
-void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last,
-                   const vk::Rect2D& area) const {
+void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last) const {
   std::vector<vk::ImageMemoryBarrier2> barriers{colour_to_attachment(colour, Stage::eCopy | Stage::eBlit),
                                                 depth_to_attachment(depth)};
   if (*multisampled.image) barriers.push_back(colour_to_attachment(multisampled, Stage::eColorAttachmentOutput));
@@ -161,7 +159,7 @@ void Target::begin(const vk::raii::CommandBuffer& commands, const std::array<flo
   depth_info.loadOp = vk::AttachmentLoadOp::eClear;
   depth_info.storeOp = last ? vk::AttachmentStoreOp::eDontCare : vk::AttachmentStoreOp::eStore;
   depth_info.clearValue = vk::ClearDepthStencilValue(1.0f, 0);
-  begin_rendering(*this, commands, colour_info, depth_info, area);
+  begin_rendering(*this, commands, colour_info, depth_info);
 }
 
 void Target::resume(const vk::raii::CommandBuffer& commands, const DeviceImage& tested_depth, bool last) const {
@@ -173,7 +171,7 @@ void Target::resume(const vk::raii::CommandBuffer& commands, const DeviceImage& 
   vk::RenderingAttachmentInfo depth_info(*tested_depth.view, Layout::eDepthReadOnlyOptimal);
   depth_info.loadOp = vk::AttachmentLoadOp::eLoad;
   depth_info.storeOp = vk::AttachmentStoreOp::eNone;
-  begin_rendering(*this, commands, colour_info, depth_info, vk::Rect2D({0, 0}, {width, height}));
+  begin_rendering(*this, commands, colour_info, depth_info);
 }
 
 void Target::end(const vk::raii::CommandBuffer& commands) const { commands.endRendering(); }

@@ -23,10 +23,8 @@ struct Target {
   /// A further depth image of the same size and samples, which shaders can read.
   DeviceImage create_depth(VulkanDevice& vulkan) const;
 
-  /// Clears an area, and begins drawing in it; the rest is undefined. `background`: sRGB and alpha, 0 to 1. `last`: no
-  /// resume() follows.
-  void begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last,
-             const vk::Rect2D& area) const;
+  /// Clears it, and begins drawing in it. `background`: sRGB and alpha, 0 to 1. `last`: no resume() follows.
+  void begin(const vk::raii::CommandBuffer& commands, const std::array<float, 4>& background, bool last) const;
   /// Goes on drawing over what is there, tested against a depth image in the layout eDepthReadOnlyOptimal that is not
   /// written. `last`: no further resume() follows; several samples are resolved.
   void resume(const vk::raii::CommandBuffer& commands, const DeviceImage& tested_depth, bool last) const;

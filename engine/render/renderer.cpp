@@ -13,14 +13,6 @@
 namespace sinew {
 namespace {
 
-/// What has to be drawn.
-vk::Rect2D area_of(const Shot& shot, const Target& target) {
-  const bool all = !shot.seen || shot.seen->width <= 0 || shot.seen->height <= 0;
-  const PictureArea area =
-      all ? PictureArea{0, 0, static_cast<int>(target.width), static_cast<int>(target.height)} : *shot.seen;
-  return {{area.left, area.top}, {static_cast<uint32_t>(area.width), static_cast<uint32_t>(area.height)}};
-}
-
 /// Seen from below, or along it, the floor shows nothing.
 bool is_above(const Viewpoint& camera, double floor) {
   return camera.is_parallel() ? camera.back.y > 1e-6 : camera.eye.y > floor;
@@ -276,7 +268,7 @@ void Renderer::Impl::record_wires(const vk::raii::CommandBuffer& commands) {
 
 void Renderer::Impl::record_draw(const vk::raii::CommandBuffer& commands, const Shot& shot) {
   record_shadows(commands, shot);
-  target.begin(commands, shot.background, !layers, area_of(shot, target));
+  target.begin(commands, shot.background, !layers);
   record_parts(commands, DrawPass::opaque, shot);
   if (shot.floor && has_materials(shot.shading) && is_above(shot.viewpoint, *shot.floor)) record_floor(commands);
   if (wire_mode != WireMode::none) record_wires(commands);

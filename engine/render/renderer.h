@@ -23,23 +23,16 @@ struct RendererOptions {
   bool for_window = false;  ///< the picture lies on the device as most windows have it, blue first
 };
 
-/// A part of a picture, whole pixels from its upper left corner.
-struct PictureArea {
-  int left = 0, top = 0, width = 0, height = 0;
-  bool operator==(const PictureArea&) const = default;
-};
-
 /// One frame's look at the scene.
 struct Shot {
   Viewpoint viewpoint;
   Shading shading = Shading::lit;
   std::array<float, 4> background{0.847f, 0.847f, 0.847f, 1.0f};  ///< sRGB and alpha, 0 to 1
-  double largest_bulge = 0.0;       ///< height that Shading::bulge shows in full red, world units
-  Bounds scene;                     ///< box of all that is shown over the whole range: what shadows are drawn for
-  bool shadows = false;             ///< of the key light; Shading::lit and flat only
-  std::optional<double> floor;      ///< height of the floor that shows shadows; likewise
-  double ground = 0.0;              ///< where it would be if it is not shown: surfaces look the same either way
-  std::optional<PictureArea> seen;  ///< within the picture; beyond it anything may be drawn or left out; absent: all
+  double largest_bulge = 0.0;   ///< height that Shading::bulge shows in full red, world units
+  Bounds scene;                 ///< box of all that is shown over the whole range: what shadows are drawn for
+  bool shadows = false;         ///< of the key light; Shading::lit and flat only
+  std::optional<double> floor;  ///< height of the floor that shows shadows; likewise
+  double ground = 0.0;          ///< where it would be if it is not shown: surfaces look the same either way
 };
 
 /// What a character looks like, besides its shape.

@@ -11,7 +11,7 @@ struct ImDrawList;
 
 namespace sinew {
 
-/// Whole pixels, from the upper left corner: low ones included, high ones not.
+/// Whole pixels, or units of the interface, from the upper left corner: low ones included, high ones not.
 struct PixelBox {
   int left = 0, top = 0, right = 0, bottom = 0;
   bool empty() const { return right <= left || bottom <= top; }

@@ -27,13 +27,9 @@ void OrbitCamera::frame(const Bounds& box, double aspect) {
   distance = std::clamp(glm::length(frame_box(box, direction, aspect, rays).eye - target), shortest, longest);
 }
 
-void OrbitCamera::frame(const Bounds& box, const PictureSize& whole, const PixelBox& free) {
-  const double height = std::max(free.bottom - free.top, 1), width = std::max(free.right - free.left, 1);
-  frame(box, width / height);
-  // The box is as many pixels high as it would be alone in a picture of the free part's size.
-  distance = std::min(distance * whole.height / height, longest);
-  pan(0.5 * (free.left + free.right - whole.width) / whole.height,
-      0.5 * (free.top + free.bottom - whole.height) / whole.height);
+void OrbitCamera::frame(const Vec3& centre, double reach, double aspect) {
+  target = centre;
+  distance = std::clamp(2.0 * reach / seen_height(1.0) / std::min(aspect, 1.0), shortest, longest);
 }
 
 void OrbitCamera::orbit(double across, double down) {

@@ -2,7 +2,6 @@
 /// How dragging and turning the wheel move a camera. No Vulkan here.
 
 #include "engine/app/frame.h"
-#include "engine/view/interface_changes.h"
 
 namespace sinew {
 
@@ -17,8 +16,8 @@ struct OrbitCamera {
   static OrbitCamera of(const FrameMaker& maker, int frame, double aspect);
   /// Frames a box from where it looks.
   void frame(const Bounds& box, double aspect);
-  /// The same within the part `free` of a picture that is `whole`, pixels: what panels leave to be seen.
-  void frame(const Bounds& box, const PictureSize& whole, const PixelBox& free);
+  /// Frames what lies within `reach` of a point, as `--zoom` does.
+  void frame(const Vec3& centre, double reach, double aspect);
 
   /// `across`, `down`: shares of the picture's height that the pointer went.
   void orbit(double across, double down);

@@ -42,7 +42,8 @@ struct ViewState {
   double frames_a_second = 0.0;
   std::vector<CharacterState> states;     ///< [characters] of the frame that is shown
   const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
-  std::vector<DockedPanel> docked;        ///< that were drawn
+  std::vector<DockedPanel> docked;        ///< that were drawn, in units
+  PixelBox picture;                       ///< what they left to the picture in the frame before, likewise
   MotionPanel motion;
 
   // Files: viewer_files.cpp.
@@ -73,7 +74,7 @@ struct ViewState {
   std::optional<Edit> edit;
   bool edit_ended = false;  ///< the slider was let go
   bool undo = false, redo = false, save = false, copy_command = false, screenshot = false, frame_all = false,
-       close = false;
+       frame_joint = false, close = false;
   std::optional<View> view;             ///< one of the standard views was asked for
   std::optional<SceneOptions> options;  ///< deformer, bulge or strength were changed
   std::optional<std::string> open;      ///< another file

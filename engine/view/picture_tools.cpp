@@ -19,20 +19,18 @@ constexpr ImU32 bright = IM_COL32(255, 226, 120, 255), ink = IM_COL32(26, 34, 43
 constexpr std::array ends{HumanoidBone::left_hand, HumanoidBone::right_hand, HumanoidBone::left_foot,
                           HumanoidBone::right_foot};
 
-ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
-
-void stroke(const std::vector<Vec2>& line, ImU32 colour, float width) {
-  std::vector<ImVec2> points;
-  for (const Vec2& p : line) points.push_back(pixel(p));
-  ImGui::GetBackgroundDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, width);
+/// White on a dark plate.
+void write_at(const ImVec2& corner, const std::string& text) {
+  constexpr float pad = 6.0f;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw.AddRectFilled({corner.x - pad, corner.y - 0.5f * pad}, {corner.x + size.x + pad, corner.y + size.y + 0.5f * pad},
+                     ink, 4.0f);
+  draw.AddText(corner, IM_COL32_WHITE, text.c_str());
 }
 
-void write_beside(const Vec2& at, const std::string& text) {
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str()), corner(pixel(at).x + 12.0f, pixel(at).y - size.y - 6.0f);
-  draw.AddRectFilled({corner.x - 5.0f, corner.y - 2.0f}, {corner.x + size.x + 5.0f, corner.y + size.y + 3.0f}, ink,
-                     4.0f);
-  draw.AddText(corner, IM_COL32_WHITE, text.c_str());
+void write_beside(const ImVec2& at, const std::string& text) {
+  write_at({at.x + 12.0f, at.y - ImGui::CalcTextSize(text.c_str()).y - 6.0f}, text);
 }
 
 std::optional<JointLimits> limits_of(const StagedCharacter& character, int node) {
@@ -41,11 +39,28 @@ std::optional<JointLimits> limits_of(const StagedCharacter& character, int node)
 
 }  // namespace
 
+ImVec2 PictureTools::Sight::in_window(const Vec2& p) const {
+  return {static_cast<float>(corner.x + p.x), static_cast<float>(corner.y + p.y)};
+}
+
+void PictureTools::Sight::stroke(const std::vector<Vec2>& line, unsigned colour, float width) const {
+  std::vector<ImVec2> points;
+  for (const Vec2& p : line) points.push_back(in_window(p));
+  ImGui::GetBackgroundDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, width);
+}
+
 bool PictureTools::work(const Document& document, ViewState& state, const Viewpoint& viewpoint) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Vec2 size(io.DisplaySize.x, io.DisplaySize.y);
-  Sight sight{viewpoint, size, Screen(viewpoint, static_cast<int>(size.x), static_cast<int>(size.y)),
-              Vec2(io.MousePos.x, io.MousePos.y), !io.WantCaptureMouse};
+  const PixelBox& place = state.picture;
+  if (place.empty()) return false;
+  const int width = place.right - place.left, height = place.bottom - place.top;
+  const Vec2 corner(place.left, place.top);
+  Sight sight{viewpoint,
+              Vec2(width, height),
+              Screen(viewpoint, width, height),
+              Vec2(io.MousePos.x, io.MousePos.y) - corner,
+              !io.WantCaptureMouse,
+              corner};
   // Before the first picture, and after characters came or went, there is nothing to touch yet.
   if (state.states.size() != document.stage().characters.size()) return false;
   // All are drawn; the one that the pointer is on keeps it from the others.
@@ -70,16 +85,13 @@ bool PictureTools::divide(ViewState& state, const Sight& sight) {
   dividing_ = dividing_ && ImGui::IsMouseDown(ImGuiMouseButton_Left);
   if (dividing_) state.extras.divider = std::clamp(sight.pointer.x / sight.size.x, 0.02, 0.98);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const float at = static_cast<float>(state.extras.divider * sight.size.x), height = static_cast<float>(sight.size.y);
-  draw.AddLine({at, 0.0f}, {at, height}, ink, 4.0f);
-  draw.AddLine({at, 0.0f}, {at, height}, near || dividing_ ? bright : IM_COL32_WHITE, 2.0f);
-  const float down = 14.0f, pad = 6.0f;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const ImVec2 size = ImGui::CalcTextSize(state.compared[side].c_str());
-    const ImVec2 corner(side == 0 ? at - size.x - 2.0f * pad - 6.0f : at + 6.0f, down);
-    draw.AddRectFilled(corner, {corner.x + size.x + 2.0f * pad, corner.y + size.y + pad}, ink, 4.0f);
-    draw.AddText({corner.x + pad, corner.y + 0.5f * pad}, IM_COL32_WHITE, state.compared[side].c_str());
-  }
+  const ImVec2 top = sight.in_window({state.extras.divider * sight.size.x, 0.0});
+  const ImVec2 bottom = sight.in_window({state.extras.divider * sight.size.x, sight.size.y});
+  draw.AddLine(top, bottom, ink, 4.0f);
+  draw.AddLine(top, bottom, near || dividing_ ? bright : IM_COL32_WHITE, 2.0f);
+  constexpr float away = 14.0f;
+  write_at({top.x - ImGui::CalcTextSize(state.compared[0].c_str()).x - away, top.y + away}, state.compared[0]);
+  write_at({top.x + away, top.y + away}, state.compared[1]);
   return near || dividing_;
 }
 
@@ -125,11 +137,12 @@ bool PictureTools::turn(const Document& document, ViewState& state, const Sight&
   for (int ring = 0; ring < 3; ++ring) {
     const RingLines lines = ring_lines(gizmo, ring, sight.screen);
     const ImU32 colour = ring_colours[static_cast<std::size_t>(ring)];
-    stroke(lines.whole, (colour & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 60), 1.5f);
-    stroke(lines.front, ring == near ? bright : colour, ring == near ? 4.0f : 2.5f);
+    sight.stroke(lines.whole, (colour & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 60), 1.5f);
+    sight.stroke(lines.front, ring == near ? bright : colour, ring == near ? 4.0f : 2.5f);
   }
-  ImGui::GetBackgroundDrawList()->AddCircleFilled(pixel(centre->at), 4.0f, bright);
-  if (turning_) write_beside(sight.pointer, fmt::format("{} {:.1f}\u00b0", "xyz"[near], stand.degrees[near]));
+  ImGui::GetBackgroundDrawList()->AddCircleFilled(sight.in_window(centre->at), 4.0f, bright);
+  if (turning_)
+    write_beside(sight.in_window(sight.pointer), fmt::format("{} {:.1f}\u00b0", "xyz"[near], stand.degrees[near]));
   return turning_ || near >= 0;
 }
 
@@ -188,11 +201,11 @@ bool PictureTools::pull(const Document& document, ViewState& state, const Sight&
     const bool chosen = pulling_ ? pulling_->handle.character == handle.character &&
                                        pulling_->handle.limb.end_bone == handle.limb.end_bone
                                  : &handle == near;
-    const ImVec2 p = pixel(handle.seen.at);
+    const ImVec2 p = sight.in_window(handle.seen.at);
     const float r = chosen ? 8.0f : 6.5f;
     draw.AddQuadFilled({p.x - r, p.y}, {p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}, chosen ? bright : orange);
     draw.AddQuad({p.x - r, p.y}, {p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}, ink, 1.5f);
-    if (chosen) write_beside(handle.seen.at, std::string(humanoid_name(handle.limb.end_bone)));
+    if (chosen) write_beside(p, std::string(humanoid_name(handle.limb.end_bone)));
   }
   return pulling_ || near;
 }
@@ -207,9 +220,10 @@ void PictureTools::pick(const Document& document, ViewState& state, const Sight&
                        state.states[near->character].global[static_cast<std::size_t>(near->node)][3]);
       if (const auto seen = sight.screen.point(place)) {
         ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-        draw.AddCircle(pixel(seen->at), 6.0f, ink, 0, 4.0f);
-        draw.AddCircle(pixel(seen->at), 6.0f, bright, 0, 2.0f);
-        write_beside(seen->at, joint_name(character, near->node));
+        const ImVec2 at = sight.in_window(seen->at);
+        draw.AddCircle(at, 6.0f, ink, 0, 4.0f);
+        draw.AddCircle(at, 6.0f, bright, 0, 2.0f);
+        write_beside(at, joint_name(character, near->node));
       }
     }
   }

@@ -5,6 +5,8 @@
 #include "engine/view/gizmo.h"
 #include "engine/view/panels.h"
 
+struct ImVec2;
+
 namespace sinew {
 
 class PictureTools {
@@ -14,13 +16,17 @@ class PictureTools {
   bool work(const Document& document, ViewState& state, const Viewpoint& viewpoint);
 
  private:
-  /// A picture's pixels and what is seen in them.
+  /// The picture in the window, and what is seen where. All in units of the interface from the picture's corner.
   struct Sight {
     const Viewpoint& viewpoint;
     Vec2 size;
     Screen screen;
     Vec2 pointer;
-    bool free;  ///< the pointer is over the picture, and no panel has it
+    bool free;    ///< the pointer is over the picture, and no panel has it
+    Vec2 corner;  ///< of the picture in the window
+
+    ImVec2 in_window(const Vec2& p) const;
+    void stroke(const std::vector<Vec2>& line, unsigned colour, float width) const;
   };
   struct Turning {
     RingDrag drag;

@@ -9,10 +9,6 @@
 
 namespace sinew {
 
-inline bool operator==(const PictureSize& a, const PictureSize& b) {
-  return a.width == b.width && a.height == b.height;
-}
-
 struct Preferences {
   PictureSize window;
   bool panels = true;               ///< shown

@@ -51,25 +51,27 @@ void make_drawable(const vk::raii::CommandBuffer& commands, vk::Image image) {
                 vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eColorAttachmentOptimal);
 }
 
-/// Copies the picture as it is, whatever the order of the channels.
+/// Copies the picture as it is, whatever the order of the channels, as far as it lies in the window: one that has just
+/// become smaller may show a picture of before.
 void record_picture(const vk::raii::CommandBuffer& commands, const WindowContent& content, vk::Image to,
                     vk::Format format, vk::Extent2D extent) {
   using Layout = vk::ImageLayout;
   change_layout(commands, to, drawing, vk::AccessFlagBits2::eNone, copying, vk::AccessFlagBits2::eTransferWrite,
                 Layout::eUndefined, Layout::eTransferDstOptimal);
+  const vk::Offset3D at(content.at, 0);
+  const int width = std::min(static_cast<int>(content.size.width), static_cast<int>(extent.width) - at.x);
+  const int height = std::min(static_cast<int>(content.size.height), static_cast<int>(extent.height) - at.y);
+  if (width <= 0 || height <= 0) return;
   if (content.format == format) {
-    commands.copyImage(
-        content.picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
-        vk::ImageCopy(layers, {}, layers, {},
-                      {std::min(extent.width, content.size.width), std::min(extent.height, content.size.height), 1}));
+    const vk::Extent3D size(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 1);
+    commands.copyImage(content.picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
+                       vk::ImageCopy(layers, {}, layers, at, size));
     return;
   }
-  const auto whole = [](const vk::Extent2D& size) {
-    const vk::Offset3D end(static_cast<int32_t>(size.width), static_cast<int32_t>(size.height), 1);
-    return std::array<vk::Offset3D, 2>{vk::Offset3D(0, 0, 0), end};
-  };
+  const std::array<vk::Offset3D, 2> from{vk::Offset3D(0, 0, 0), vk::Offset3D(width, height, 1)};
+  const std::array<vk::Offset3D, 2> onto{at, vk::Offset3D(at.x + width, at.y + height, 1)};
   commands.blitImage(content.picture, Layout::eTransferSrcOptimal, to, Layout::eTransferDstOptimal,
-                     vk::ImageBlit(layers, whole(content.size), layers, whole(extent)), vk::Filter::eNearest);
+                     vk::ImageBlit(layers, from, layers, onto), vk::Filter::eNearest);
 }
 
 }  // namespace

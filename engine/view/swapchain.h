@@ -12,7 +12,8 @@ struct WindowContent {
   using Draw = std::function<void(const vk::raii::CommandBuffer&)>;
 
   vk::Image picture;  ///< in the layout eTransferSrcOptimal
-  vk::Extent2D size;  ///< its own, the window's unless that has just changed
+  vk::Extent2D size;  ///< its own
+  vk::Offset2D at;    ///< its upper left corner in the window; panels cover all beside it
   vk::Format format = vk::Format::eUndefined;
   Draw under;  ///< what the panels cover; empty: nothing
 
@@ -32,7 +33,6 @@ class Swapchain {
 
   /// Makes images of this size where they have another.
   void resize(int width, int height);
-  std::uint32_t images() const { return static_cast<std::uint32_t>(images_.size()); }
   VkRenderPass render_pass() const { return static_cast<VkRenderPass>(*render_pass_); }
 
   /// Counts how often the images, and what is kept of the panels, were made anew.

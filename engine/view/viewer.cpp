@@ -1,10 +1,14 @@
 #include "engine/view/viewer.h"
 
 #include <chrono>
+#include <cmath>
+
+#include <spdlog/spdlog.h>
 
 #include "engine/core/interrupt.h"
 #include "engine/model/scene_words.h"
 #include "engine/render/text.h"
+#include "engine/view/display_loss.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -30,7 +34,7 @@ double percentile(std::vector<double> values, double share) {
 
 Result<void> ViewerSession::make_pictures(Shown& shown, std::vector<std::string>& problems) {
   LookOptions look = options_.look;
-  look.size = size_;
+  look.size = seen_;
   look.for_window = true;
   // What the scene says is edited here; only what it cannot say comes from the command line.
   auto made = WindowPicture::create(device_, shown.document, look, problems);
@@ -41,7 +45,7 @@ Result<void> ViewerSession::make_pictures(Shown& shown, std::vector<std::string>
 }
 
 Result<void> ViewerSession::open(const SceneOptions& scene, std::vector<std::string>& problems) {
-  size_ = options_.look.size;
+  size_ = seen_ = options_.look.size;
   auto stage = open_stage(scene);
   if (!stage) return pass_on(std::move(stage));
   problems.insert(problems.end(), stage->problems.begin(), stage->problems.end());
@@ -91,32 +95,42 @@ Result<void> ViewerSession::follow(Touched what) {
 }
 
 Result<void> ViewerSession::show_frame(Window& window) {
-  const PictureSize size = window.size();
-  if (size.width > 0 && size.height > 0 && (size.width != size_.width || size.height != size_.height)) {
-    if (auto ok = shown_->picture->resize(size); !ok) return ok;
-    size_ = size;
-    stale_ = true;
-  }
+  size_ = window.size();
   window.begin_interface();
   take_pointer();
   take_keys(window);
   draw_panels(document(), state_);
-  if (window.has_finer_pixels()) state_.docked.clear();
   take_requests(window);
+  const PixelBox place = picture_place(window.pixels_per_unit());
+  if (auto ok = fit_picture({place.right - place.left, place.bottom - place.top}); !ok) return ok;
   const int frame = state_.playback.shown();
-  const PixelBox free = uncovered(size_.width, size_.height, state_.docked);
-  const PictureArea seen{free.left, free.top, free.right - free.left, free.bottom - free.top};
   // A measured run draws what it shows, every time.
-  if (stale_ || frame != drawn_frame_ || seen != drawn_area_ || !(state_.extras == drawn_extras_) ||
-      options_.frames > 0) {
+  if (stale_ || frame != drawn_frame_ || !(state_.extras == drawn_extras_) || options_.frames > 0) {
     state_.states = maker().pose(frame);
-    if (auto ok = shown_->picture->draw(frame, state_.states, state_.extras, seen); !ok) return ok;
+    if (auto ok = shown_->picture->draw(frame, state_.states, state_.extras); !ok) return ok;
     drawn_frame_ = frame;
     drawn_extras_ = state_.extras;
-    drawn_area_ = seen;
     stale_ = false;
   }
-  return window.show(maker().renderer(), state_.docked);
+  return window.show(maker().renderer(), place.left, place.top, state_.docked);
+}
+
+PixelBox ViewerSession::picture_place(double pixels_per_unit) {
+  const auto units = [&](int pixels) { return static_cast<int>(std::lround(pixels / pixels_per_unit)); };
+  state_.picture = uncovered(units(size_.width), units(size_.height), state_.docked);
+  // Panels lie over whatever part of a pixel they have.
+  const auto low = [&](int unit) { return static_cast<int>(std::floor(unit * pixels_per_unit)); };
+  const auto high = [&](int unit) { return static_cast<int>(std::ceil(unit * pixels_per_unit)); };
+  return {low(state_.picture.left), low(state_.picture.top), std::min(high(state_.picture.right), size_.width),
+          std::min(high(state_.picture.bottom), size_.height)};
+}
+
+Result<void> ViewerSession::fit_picture(const PictureSize& size) {
+  if (size.width <= 0 || size.height <= 0 || size == seen_) return {};
+  if (auto ok = shown_->picture->resize(size); !ok) return ok;
+  seen_ = size;
+  stale_ = true;
+  return {};
 }
 
 Result<ViewerReport> ViewerSession::run(Window& window) {
@@ -187,12 +201,20 @@ Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOpti
   session.go_on_from(preferences, file);
   if (auto ok = session.open(options.scene, problems); !ok) return pass_on(std::move(ok));
   if (!problems.empty()) session.tell(problems.front());
-  WindowOptions wanted{.size = options.look.size, .uncapped = options.uncapped};
+  WindowOptions wanted{.size = options.look.size, .in_units = options.frames == 0, .uncapped = options.uncapped};
   if (const auto font = Font::find_file()) wanted.font = font->string();
   auto window = Window::create(system, device, wanted);
   if (!window) return pass_on(std::move(window));
+  at_display_loss([&] {
+    spdlog::error("the connection to the display broke");
+    session.rescue();
+  });
   auto report = session.run(*window);
-  if (report) report->problems = std::move(problems);
+  at_display_loss({});
+  if (report)
+    report->problems = std::move(problems);
+  else
+    session.rescue();
   return report;
 }
 

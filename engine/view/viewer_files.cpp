@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -22,7 +23,8 @@ void ViewerSession::go_on_from(const Preferences& preferences, const std::filesy
 void ViewerSession::keep_preferences(const Window& window) {
   if (preferences_file_.empty()) return;
   const PictureSize size = window.size();
-  if (size.width > 0 && size.height > 0) preferences_.window = size;
+  const auto units = [&](int pixels) { return static_cast<int>(std::lround(pixels / window.pixels_per_unit())); };
+  if (size.width > 0 && size.height > 0) preferences_.window = {units(size.width), units(size.height)};
   preferences_.panels = state_.panels;
   preferences_.motion_panel = state_.motion.shown;
   if (auto ok = save_preferences(preferences_, preferences_file_); !ok) spdlog::warn("{}", ok.error().message);
@@ -91,6 +93,15 @@ void ViewerSession::save() {
   own_file_ = state_.save_as;
   remember(state_.save_as);
   say(state_.save_as + " written");
+}
+
+void ViewerSession::rescue() {
+  if (!shown_ || !document().is_changed()) return;
+  const std::string file = std::filesystem::path(state_.save_as).replace_extension(".rescued.json").string();
+  if (auto ok = document().save(file); ok)
+    spdlog::warn("edits that were not saved are kept in {}", file);
+  else
+    spdlog::error("edits that were not saved are lost: {}", ok.error().message);
 }
 
 void ViewerSession::take_file_requests(Window& window) {

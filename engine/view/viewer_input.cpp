@@ -17,7 +17,7 @@ void ViewerSession::take_pointer() {
   // Over a handle the wheel still zooms; while one is dragged the camera stands still.
   if (used && (io.MouseWheel == 0.0f || ImGui::IsMouseDown(ImGuiMouseButton_Left))) return;
   if (io.WantCaptureMouse) return;
-  const double height = std::max(1.0f, io.DisplaySize.y);
+  const double height = std::max(1, state_.picture.bottom - state_.picture.top);
   OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
   const double across = io.MouseDelta.x / height, down = io.MouseDelta.y / height;
   bool moved = io.MouseWheel != 0.0f;
@@ -102,6 +102,9 @@ void ViewerSession::take_key(const KeyPress& press, Window& window) {
       break;
     case KeyboardKey::seven:
       state_.view = View::top;
+      break;
+    case KeyboardKey::period:
+      state_.frame_joint = true;
       break;
     case KeyboardKey::space:
       if (!playback.toggle()) say(nothing_to_play);

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "engine/app/panel.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -18,6 +19,16 @@ void ViewerSession::toggle_projection() {
   look_from(camera);
 }
 
+void ViewerSession::frame_joint() {
+  if (state_.joint.empty()) return say("choose a joint first: it is framed");
+  const int frame = state_.playback.shown();
+  const auto joint = find_zoom(document().stage(), state_.joint, state_.character);
+  if (!joint) return say(joint.error());
+  OrbitCamera camera = OrbitCamera::of(maker(), frame, aspect());
+  camera.frame(zoom_position(document().stage(), *joint, frame), joint->reach, aspect());
+  look_from(camera);
+}
+
 void ViewerSession::take_edit(const Result<Touched>& done, const std::string& said) {
   if (!done) return say(done.error());
   if (auto ok = follow(*done); !ok) return say(ok.error());
@@ -25,7 +36,7 @@ void ViewerSession::take_edit(const Result<Touched>& done, const std::string& sa
 }
 
 void ViewerSession::take_photo() {
-  const auto file = shown_->picture->save_photo(state_.playback.shown(), state_.save_as);
+  const auto file = shown_->picture->save_photo(state_.playback.shown(), size_, state_.save_as);
   file ? say(*file + " written") : say(file.error());
 }
 
@@ -63,9 +74,10 @@ void ViewerSession::take_requests(Window& window) {
   if (std::exchange(state_.toggle_projection, false)) toggle_projection();
   if (std::exchange(state_.frame_all, false)) {
     OrbitCamera camera = OrbitCamera::of(maker(), state_.playback.shown(), aspect());
-    camera.frame(maker().bounds(), size_, uncovered(size_.width, size_.height, state_.docked));
+    camera.frame(maker().bounds(), aspect());
     look_from(camera);
   }
+  if (std::exchange(state_.frame_joint, false)) frame_joint();
   if (std::exchange(state_.screenshot, false)) take_photo();
   if (std::exchange(state_.copy_command, false)) {
     const std::string command =

@@ -33,6 +33,9 @@ class ViewerSession {
   /// Shows a message.
   void tell(const std::string& message) { say(message, true); }
   Result<ViewerReport> run(Window& window);
+  /// Keeps edits that are not saved in a file of their own, for a window that ends without asking, and says so in the
+  /// log.
+  void rescue();
 
  private:
   Result<void> show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems);
@@ -46,7 +49,7 @@ class ViewerSession {
 
   Document& document() { return shown_->document; }
   FrameMaker& maker() { return shown_->picture->maker(); }
-  double aspect() const { return double(size_.width) / std::max(1, size_.height); }
+  double aspect() const { return double(seen_.width) / std::max(1, seen_.height); }
 
   Result<void> make_pictures(Shown& shown, std::vector<std::string>& problems);
   Result<void> follow(Touched what);
@@ -58,6 +61,7 @@ class ViewerSession {
   void look_from(const OrbitCamera& camera);
   void choose_view(View view);
   void toggle_projection();
+  void frame_joint();
   void take_photo();
 
   // viewer_files.cpp
@@ -81,6 +85,9 @@ class ViewerSession {
   }
   void say(const Error& error) { say(error.message, true); }
   Result<void> show_frame(Window& window);
+  /// Where in the window the picture belongs, pixels; tells the panels.
+  PixelBox picture_place(double pixels_per_unit);
+  Result<void> fit_picture(const PictureSize& size);
   /// True while anything runs beside the window.
   bool works_beside() const {
     return opening_.valid() || heads_.is_busy() || recording_.running() || state_.motion.browser.task().running();
@@ -89,7 +96,8 @@ class ViewerSession {
   Device& device_;
   ViewerOptions options_;
   ViewState state_;
-  PictureSize size_;
+  PictureSize size_;  ///< of the window, and of photos and films; pixels
+  PictureSize seen_;  ///< of the picture in the window, which fills what the panels leave
   std::unique_ptr<Shown> shown_;
   HeadWork heads_;
   PictureTools tools_;
@@ -105,7 +113,6 @@ class ViewerSession {
   bool bounds_stale_ = false;               ///< the maker's bounds are those before the last poses
   bool stale_ = true;                       ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
-  PictureArea drawn_area_;
   ViewExtras drawn_extras_;
 };
 

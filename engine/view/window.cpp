@@ -1,5 +1,6 @@
 #include "engine/view/window.h"
 
+#include <cmath>
 #include <cstring>
 
 #define GLFW_INCLUDE_VULKAN
@@ -11,12 +12,15 @@
 #include "engine/gpu/vulkan.h"
 #include "engine/render/renderer_image.h"
 #include "engine/view/kept_panels.h"
+#include "engine/view/keyboard.h"
 #include "engine/view/swapchain.h"
 
 namespace sinew {
 namespace {
 
 constexpr float font_size = 15.0f;
+/// The panels need so much; whoever asks for less gets it.
+constexpr PictureSize least_size{800, 480};
 /// Parts of the interface that are drawn by themselves in one frame: their buffers are used in turn.
 constexpr std::uint32_t most_interface_draws = 16;
 
@@ -26,60 +30,19 @@ std::string last_glfw_error() {
   return text ? text : "no reason was given";
 }
 
-std::optional<KeyboardKey> key_of(int code, bool shift) {
-  switch (code) {
-    case GLFW_KEY_F:
-      return KeyboardKey::f;
-    case GLFW_KEY_K:
-      return KeyboardKey::k;
-    case GLFW_KEY_M:
-      return KeyboardKey::m;
-    case GLFW_KEY_P:
-      return KeyboardKey::p;
-    case GLFW_KEY_Q:
-      return KeyboardKey::q;
-    case GLFW_KEY_R:
-      return KeyboardKey::r;
-    case GLFW_KEY_S:
-      return KeyboardKey::s;
-    case GLFW_KEY_Y:
-      return KeyboardKey::y;
-    case GLFW_KEY_Z:
-      return KeyboardKey::z;
-    case GLFW_KEY_1:
-    case GLFW_KEY_KP_1:
-      return KeyboardKey::one;
-    case GLFW_KEY_3:
-    case GLFW_KEY_KP_3:
-      return KeyboardKey::three;
-    case GLFW_KEY_5:
-    case GLFW_KEY_KP_5:
-      return KeyboardKey::five;
-    case GLFW_KEY_7:
-    case GLFW_KEY_KP_7:
-      return KeyboardKey::seven;
-    case GLFW_KEY_9:
-    case GLFW_KEY_KP_9:
-      return KeyboardKey::nine;
-    case GLFW_KEY_SPACE:
-      return KeyboardKey::space;
-    case GLFW_KEY_TAB:
-      return KeyboardKey::tab;
-    case GLFW_KEY_LEFT:
-      return KeyboardKey::left;
-    case GLFW_KEY_RIGHT:
-      return KeyboardKey::right;
-    case GLFW_KEY_HOME:
-      return KeyboardKey::home;
-    case GLFW_KEY_END:
-      return KeyboardKey::end;
-    case GLFW_KEY_F1:
-      return KeyboardKey::help;
-    case GLFW_KEY_SLASH:
-      return shift ? std::optional(KeyboardKey::help) : std::nullopt;
-    default:
-      return std::nullopt;
-  }
+/// 2 where the system itself counts in units of two pixels.
+float pixels_per_system_unit(GLFWwindow* window) {
+  int width = 0, height = 0, across = 0, down = 0;
+  glfwGetWindowSize(window, &width, &height);
+  glfwGetFramebufferSize(window, &across, &down);
+  return width > 0 && across > 0 ? static_cast<float>(across) / static_cast<float>(width) : 1.0f;
+}
+
+/// System units that the interface has to make larger by itself: where the system counts in pixels.
+float own_scale(GLFWwindow* window) {
+  float across = 1.0f, down = 1.0f;
+  glfwGetWindowContentScale(window, &across, &down);
+  return std::max(1.0f, across / pixels_per_system_unit(window));
 }
 
 }  // namespace
@@ -117,6 +80,8 @@ struct Window::Impl {
   vk::raii::DescriptorPool pool = nullptr;
   std::unique_ptr<Swapchain> swapchain;
   KeptPanels panels;
+  /// Of the system's own units, which are pixels on some systems, and which the interface would be too small in.
+  float content_scale = 1.0f;
 
   ~Impl() {
     if (vulkan && *vulkan->device) vulkan->device.waitIdle();
@@ -139,10 +104,10 @@ void Window::Impl::make_interface(const WindowOptions& options) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
-  float across = 1.0f, down = 1.0f;
-  glfwGetWindowContentScale(window, &across, &down);
-  if (!options.font.empty()) io.Fonts->AddFontFromFileTTF(options.font.c_str(), font_size * across);
-  ImGui::GetStyle().ScaleAllSizes(across);
+  // Letters are made as fine as the display's pixels, and laid out in units.
+  const float fineness = content_scale * pixels_per_system_unit(window);
+  if (!options.font.empty()) io.Fonts->AddFontFromFileTTF(options.font.c_str(), font_size * fineness);
+  io.FontGlobalScale = 1.0f / fineness;
   ImGui_ImplGlfw_InitForVulkan(window, true);
 
   const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, 8)};
@@ -172,9 +137,18 @@ Result<Window> Window::create(WindowSystem&, Device& device, const WindowOptions
   auto impl = std::make_unique<Impl>();
   impl->vulkan = &device.vulkan();
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, options.in_units ? GLFW_TRUE : GLFW_FALSE);
   impl->window = glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
   if (!impl->window)
     return failure(ErrorKind::no_device, "no window can be opened ({}); sinew render needs none", last_glfw_error());
+  impl->content_scale = own_scale(impl->window);
+  PictureSize given;
+  glfwGetWindowSize(impl->window, &given.width, &given.height);
+  const auto least = [&](int units, int asked) {
+    return std::min(static_cast<int>(std::lround(impl->content_scale * static_cast<float>(units))), asked);
+  };
+  glfwSetWindowSizeLimits(impl->window, least(least_size.width, given.width), least(least_size.height, given.height),
+                          GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSetWindowUserPointer(impl->window, impl.get());
   glfwSetDropCallback(impl->window, [](GLFWwindow* window, int count, const char** paths) {
     auto& self = *static_cast<Impl*>(glfwGetWindowUserPointer(window));
@@ -190,7 +164,7 @@ Result<Window> Window::create(WindowSystem&, Device& device, const WindowOptions
   glfwSetKeyCallback(impl->window, [](GLFWwindow* window, int code, int, int action, int modifiers) {
     stirred(window);
     const bool shift = modifiers & GLFW_MOD_SHIFT;
-    const auto key = key_of(code, shift);
+    const auto key = keyboard_key(code, shift);
     if (!key || action == GLFW_RELEASE) return;
     static_cast<Impl*>(glfwGetWindowUserPointer(window))
         ->presses.push_back({*key, (modifiers & GLFW_MOD_CONTROL) != 0, shift, action == GLFW_REPEAT});
@@ -219,7 +193,6 @@ Result<Window> Window::create(WindowSystem&, Device& device, const WindowOptions
 
 bool Window::is_closing() const { return glfwWindowShouldClose(impl_->window); }
 void Window::close() { glfwSetWindowShouldClose(impl_->window, GLFW_TRUE); }
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(impl_->window, title.c_str()); }
 void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(impl_->window, text.c_str()); }
 
 PictureSize Window::size() const {
@@ -228,17 +201,8 @@ PictureSize Window::size() const {
   return size;
 }
 
-bool Window::has_finer_pixels() const {
-  int width = 0, height = 0;
-  glfwGetWindowSize(impl_->window, &width, &height);
-  const PictureSize pixels = size();
-  return width != pixels.width || height != pixels.height;
-}
-
-double Window::scale() const {
-  float across = 1.0f, down = 1.0f;
-  glfwGetWindowContentScale(impl_->window, &across, &down);
-  return across;
+double Window::pixels_per_unit() const {
+  return static_cast<double>(impl_->content_scale * pixels_per_system_unit(impl_->window));
 }
 
 void Window::take_events(bool wait, double seconds) {
@@ -261,10 +225,16 @@ std::vector<KeyPress> Window::take_key_presses() {
 void Window::begin_interface() {
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // The backend counts in the system's units.
+  ImGuiIO& io = ImGui::GetIO();
+  const float scale = impl_->content_scale;
+  io.DisplaySize = {io.DisplaySize.x / scale, io.DisplaySize.y / scale};
+  io.DisplayFramebufferScale = {io.DisplayFramebufferScale.x * scale, io.DisplayFramebufferScale.y * scale};
+  if (ImGui::IsMousePosValid(&io.MousePos)) io.MousePos = {io.MousePos.x / scale, io.MousePos.y / scale};
   ImGui::NewFrame();
 }
 
-Result<void> Window::show(const Renderer& renderer, std::span<const DockedPanel> docked) {
+Result<void> Window::show(const Renderer& renderer, int left, int top, std::span<const DockedPanel> docked) {
   return vulkan_call("showing the picture", [&] {
     ImGui::Render();
     const PictureSize size = this->size();
@@ -275,6 +245,9 @@ Result<void> Window::show(const Renderer& renderer, std::span<const DockedPanel>
     content.picture = *picture_image(renderer).image;
     content.format = picture.colour_format;
     content.size = vk::Extent2D(picture.width, picture.height);
+    content.at = vk::Offset2D(left, top);
+    // Panels are kept pixel by pixel, which their units must be.
+    if (pixels_per_unit() != 1.0) docked = {};
     impl_->panels.take(*ImGui::GetDrawData(), docked, size.width, size.height, impl_->swapchain->generation(), content);
     impl_->swapchain->show(content);
   });

@@ -11,6 +11,7 @@
 #include "engine/app/options.h"
 #include "engine/render/renderer.h"
 #include "engine/view/interface_changes.h"
+#include "engine/view/keyboard.h"
 
 namespace sinew {
 
@@ -31,39 +32,9 @@ class WindowSystem {
   bool running_ = true;
 };
 
-/// Keys by their place on a US keyboard; the number pad's numbers are numbers.
-enum class KeyboardKey {
-  f,
-  k,
-  m,
-  p,
-  q,
-  r,
-  s,
-  y,
-  z,
-  one,
-  three,
-  five,
-  seven,
-  nine,
-  space,
-  tab,
-  left,
-  right,
-  home,
-  end,
-  help
-};
-
-/// A key that went down, or was held long enough to count again.
-struct KeyPress {
-  KeyboardKey key;
-  bool control = false, shift = false, again = false;
-};
-
 struct WindowOptions {
   PictureSize size;
+  bool in_units = true;  ///< the size is the interface's units, larger on a dense display; else pixels
   std::string title = "Sinew";
   bool uncapped = false;  ///< frames are not held back for the display
   std::string font = "";  ///< file of the interface's font; empty: its own plain one
@@ -78,13 +49,10 @@ class Window {
 
   bool is_closing() const;
   void close();
-  void set_title(const std::string& title);
-  /// Pixels of the picture; 0 x 0 while it is minimised.
+  /// Its pixels; 0 x 0 while it is minimised.
   PictureSize size() const;
-  /// True where the interface's units are not the picture's pixels: places of panels mean nothing there.
-  bool has_finer_pixels() const;
-  /// Of the interface: 2 on a display twice as dense as usual.
-  double scale() const;
+  /// Pixels that one unit of the interface has: 2 on a display twice as dense as usual.
+  double pixels_per_unit() const;
 
   /// Takes in what the user did. `wait`: sleeps until something happens, `seconds` at most.
   void take_events(bool wait, double seconds = 1.0);
@@ -98,9 +66,10 @@ class Window {
 
   /// Begins the interface of one frame: ImGui's calls go between this and show().
   void begin_interface();
-  /// Shows the renderer's last picture for windows with the interface over it; `docked`: which panels are. A window
-  /// whose size has changed shows it at the next call. Fails as device_failed where the device was lost.
-  Result<void> show(const Renderer& renderer, std::span<const DockedPanel> docked);
+  /// Shows the renderer's last picture for windows with its upper left corner at a pixel, and the interface over it.
+  /// `docked`: which panels are, in units; they cover all that the picture leaves. A window whose size has changed
+  /// shows it at the next call. Fails as device_failed where the device was lost.
+  Result<void> show(const Renderer& renderer, int left, int top, std::span<const DockedPanel> docked);
 
  private:
   struct Impl;

@@ -63,10 +63,9 @@ Result<Picture> WindowPicture::side(FrameMaker& maker, const SceneOptions& scene
   return picture;
 }
 
-Result<void> WindowPicture::draw(int frame, const std::vector<CharacterState>& states, const ViewExtras& extras,
-                                 const std::optional<PictureArea>& seen) {
+Result<void> WindowPicture::draw(int frame, const std::vector<CharacterState>& states, const ViewExtras& extras) {
   const OverlayOptions overlay = figure_look({}, document_->scene().look).overlay;
-  if (!other_ && !overlay.painted() && !extras.muscle) return maker_.draw_for_window(frame, states, seen);
+  if (!other_ && !overlay.painted() && !extras.muscle) return maker_.draw_for_window(frame, states);
   std::array<ComparedSide, 2> sides{ComparedSide{document_->options(), overlay, ""}, {}};
   if (other_) sides = compared_sides(document_->scene().look.compare, document_->options(), overlay);
   auto picture = side(maker_, sides[0].scene, sides[0].overlay, frame, extras);
@@ -79,10 +78,13 @@ Result<void> WindowPicture::draw(int frame, const std::vector<CharacterState>& s
   return put_picture(device_->vulkan(), maker_.renderer(), *picture);
 }
 
-Result<std::string> WindowPicture::save_photo(int frame, const std::filesystem::path& scene_file) {
+Result<std::string> WindowPicture::save_photo(int frame, const PictureSize& size,
+                                              const std::filesystem::path& scene_file) {
   const FigureLook figure = figure_look({}, document_->scene().look);
+  LookOptions look = look_;
+  look.size = size;
   std::vector<std::string> problems;
-  auto made = FigureMaker::create(*device_, document_->stage(), document_->options(), look_, figure, problems);
+  auto made = FigureMaker::create(*device_, document_->stage(), document_->options(), look, figure, problems);
   if (!made) return pass_on(std::move(made));
   const auto picture = made->picture(frame, {frame});
   if (!picture) return tl::unexpected<Error>(picture.error());

@@ -28,12 +28,10 @@ class WindowPicture {
   const std::string& right_label() const { return labels_[1]; }
 
   /// Draws into the image that the window shows. `states`: maker().pose(frame).
-  /// `seen`: what no panel hides, Shot::seen.
-  Result<void> draw(int frame, const std::vector<CharacterState>& states, const ViewExtras& extras,
-                    const std::optional<PictureArea>& seen = {});
-  /// Writes the picture that `render` makes of the scene at this frame, beside the scene's file and called after it and
-  /// the frame; returns its name. Fails as cannot_write.
-  Result<std::string> save_photo(int frame, const std::filesystem::path& scene_file);
+  Result<void> draw(int frame, const std::vector<CharacterState>& states, const ViewExtras& extras);
+  /// Writes the picture that `render` makes of the scene at this frame in this size, beside the scene's file and called
+  /// after it and the frame; returns its name. Fails as cannot_write.
+  Result<std::string> save_photo(int frame, const PictureSize& size, const std::filesystem::path& scene_file);
   void follow_stage();
   /// Shows the muscles' numbers as the document has them now. Fails as FrameMaker::follow_muscles does.
   Result<void> follow_muscles();

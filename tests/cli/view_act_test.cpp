@@ -53,8 +53,8 @@ TEST_F(ViewAct, AFaceIsPulledAndGrowsYounger) {
 
 TEST_F(ViewAct, AJointIsPickedAndTurnedByItsRing) {
   const nlohmann::json scene = after("builtin:woman", [&] {
-    click(763, 243);           // the left elbow
-    drag(730, 236, 690, 236);  // the front of its y ring
+    click(747, 211);           // the left elbow
+    drag(714, 206, 674, 206);  // the front of its y ring
   });
   const nlohmann::json& keys = scene.at("characters").at(0).at("keys");
   ASSERT_EQ(keys.size(), 1u) << keys;
@@ -67,7 +67,7 @@ TEST_F(ViewAct, AJointIsPickedAndTurnedByItsRing) {
 TEST_F(ViewAct, AHandIsPulledAndUndone) {
   const nlohmann::json scene = after("builtin:woman", [&] {
     click(1055, 54);           // reach
-    drag(460, 304, 570, 330);  // the right wrist
+    drag(483, 265, 593, 291);  // the right wrist
     act("key p");
     std::this_thread::sleep_for(3s);
     act("key ctrl+s");

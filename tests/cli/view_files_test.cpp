@@ -62,6 +62,29 @@ TEST_F(ViewFiles, ParallelRaysAreSavedAndRenderShowsThem) {
   EXPECT_NE(picture("parallel.png").rgba, picture("other.png").rgba);
 }
 
+TEST_F(ViewFiles, EditsOutliveALostDisplayAndASignal) {
+  const Bytes before = read("arm.json");
+  RunningProgram lost({"view", "arm.json", "--size", "800x480"}, in_window());
+  wait_for_window();
+  click(27, 205);  // the skeleton is drawn
+  kill(lost.id(), SIGTERM);
+  ProgramResult result = lost.finish();
+  EXPECT_EQ(result.exit_code, 143) << result;
+  EXPECT_NE(result.err.find("arm.rescued.json"), std::string::npos) << result;
+  EXPECT_EQ(file_json("arm.rescued.json").at("look").at("overlay"), nlohmann::json{"skeleton"});
+  std::filesystem::remove(path("arm.rescued.json"));
+
+  RunningProgram program({"view", "arm.json", "--size", "800x480"}, in_window());
+  wait_for_window();
+  click(27, 205);
+  screen().stop();
+  result = program.finish();
+  EXPECT_EQ(result.exit_code, 5) << result;
+  EXPECT_NE(result.err.find("display"), std::string::npos) << result;
+  EXPECT_EQ(file_json("arm.rescued.json").at("look").at("overlay"), nlohmann::json{"skeleton"});
+  EXPECT_EQ(read("arm.json"), before) << "nobody asked for that";
+}
+
 TEST_F(ViewFiles, RecordsTheFilmThatRenderMakes) {
   RunningProgram program({"view", "arm.json", "--size", "320x180", "--validate"}, in_window());
   wait_for_window();

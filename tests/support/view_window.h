@@ -31,7 +31,9 @@ class XServer {
       close(ends[0]);
       const std::string fd = std::to_string(ends[1]);
       freopen("/dev/null", "w", stderr);
-      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", nullptr);
+      const std::string folder = folder_.path().string();
+      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-nocursor",
+             "-noreset", "-fbdir", folder.c_str(), nullptr);
       _exit(127);
     }
     close(ends[1]);
@@ -40,22 +42,50 @@ class XServer {
     close(ends[0]);
     if (!number.empty()) display = ":" + number;
   }
-  ~XServer() {
+  ~XServer() { stop(); }
+  /// Every window loses its display.
+  void stop() {
     if (server_ <= 0) return;
     kill(server_, SIGTERM);
     waitpid(server_, nullptr, 0);
+    server_ = -1;
   }
 
   std::string display;  ///< ":3"; empty where the server did not start
 
+  /// What a part of the screen shows: rows of red, green, blue, opaque, as DecodedPng::rgba. Empty where the screen is
+  /// not as it was asked for.
+  std::vector<std::uint8_t> pixels(int left, int top, int width, int height) const {
+    // The server's own file is an XWD dump: a head of big-endian words, a table of colours, blue-first pixels.
+    const auto file = read_file(folder_.path() / "Xvfb_screen0");
+    if (!file) return {};
+    const auto word = [&](std::size_t index) {
+      std::uint32_t value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value = value << 8 | (*file)[4 * index + i];
+      return value;
+    };
+    const std::size_t colour = 12, start = word(0) + colour * word(19), row_bytes = word(12);
+    if (word(11) != 32 || left + width > static_cast<int>(word(4)) || top + height > static_cast<int>(word(5)))
+      return {};
+    std::vector<std::uint8_t> rgba;
+    for (int y = top; y < top + height; ++y)
+      for (int x = left; x < left + width; ++x) {
+        const std::uint8_t* at =
+            file->data() + start + row_bytes * static_cast<std::size_t>(y) + 4 * static_cast<std::size_t>(x);
+        rgba.insert(rgba.end(), {at[2], at[1], at[0], 255});
+      }
+    return rgba;
+  }
+
  private:
+  TemporaryFolder folder_;  ///< of the screen's pixels
   pid_t server_ = -1;
 };
 
 class View : public ProgramTest {
  protected:
   void SetUp() override {
-    for (const char* name : {"Xvfb", "xdotool"})
+    for (const char* name : {"Xvfb", "xdotool", "xrdb"})
       if (!has_program(name)) {
         if (assets_required()) FAIL() << "SINEW_REQUIRE_ASSETS is 1, but " << name << " is missing";
         GTEST_SKIP() << "SKIPPED: " << name << " is missing";
@@ -76,6 +106,7 @@ class View : public ProgramTest {
         << words;
   }
   const std::string& display() const { return server_.display; }
+  XServer& screen() { return server_; }
   void press(const std::string& key) const {
     act("key " + key);
     std::this_thread::sleep_for(400ms);

@@ -1,0 +1,35 @@
+#include "engine/view/display_loss.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include "engine/core/result.h"
+
+#ifdef SINEW_X11
+#include <X11/Xlib.h>
+#endif
+
+namespace sinew {
+
+#ifdef SINEW_X11
+namespace {
+
+std::function<void()> words;
+
+int end(Display*) {
+  // They may meet the broken connection again.
+  if (const auto said = std::exchange(words, nullptr)) said();
+  std::_Exit(static_cast<int>(ErrorKind::device_failed));
+}
+
+}  // namespace
+
+void at_display_loss(std::function<void()> last_words) {
+  words = std::move(last_words);
+  XSetIOErrorHandler(end);
+}
+#else
+void at_display_loss(std::function<void()>) {}
+#endif
+
+}  // namespace sinew
