@@ -37,7 +37,7 @@ class ViewAct : public View {
 TEST_F(ViewAct, AFaceIsPulledAndGrowsYounger) {
   const nlohmann::json scene = after("builtin:head", [&] {
     click(1051, 18);             // Face
-    drag(1130, 257, 1130, 281);  // the chin
+    drag(1130, 262, 1130, 284);  // the chin
     drag(994, 384, 1048, 384);   // smile
     drag(994, 534, 1123, 534);   // age
     std::this_thread::sleep_for(2s);
@@ -98,8 +98,8 @@ TEST_F(ViewAct, OverlaysAreThoseOfRender) {
 
 TEST_F(ViewAct, AComparisonIsDividedInTheWindow) {
   const nlohmann::json scene = after("builtin:woman", [&] {
-    click(200, 285);           // compare
-    click(60, 355);            // deformer
+    click(200, 308);           // compare
+    click(60, 378);            // deformer
     drag(640, 400, 800, 400);  // the line between the sides does not turn the camera
     act("key p");
     std::this_thread::sleep_for(4s);
