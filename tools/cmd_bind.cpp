@@ -1,15 +1,6 @@
 #include <iostream>
 
-#include <spdlog/spdlog.h>
-
-#include "engine/core/files.h"
-#include "engine/core/interrupt.h"
-#include "engine/core/text.h"
-#include "engine/fit/automatic_weights.h"
-#include "engine/fit/bound_model.h"
-#include "engine/fit/weight_run.h"
-#include "engine/io/gltf_write.h"
-#include "engine/io/mesh_read.h"
+#include "engine/app/bind_mesh.h"
 #include "tools/weight_words.h"
 
 namespace sinew::tools {
@@ -37,17 +28,6 @@ Result<AutomaticWeightOptions> bind_options(const Words& words, const WeightEdit
   return options;
 }
 
-void log_report(const AutomaticWeightReport& report) {
-  if (!report.outside.empty())
-    spdlog::warn("{} joints lie outside of the mesh and move nothing: {}", report.outside.size(),
-                 fmt::join(report.outside, ", "));
-  if (!report.idle.empty())
-    spdlog::warn("{} joints got no vertex: {}", report.idle.size(), fmt::join(report.idle, ", "));
-  if (report.far > 0)
-    spdlog::warn("{} vertices are far from every bone, vertex {} of \"{}\" by {:.3g}", report.far, report.farthest,
-                 report.farthest_mesh, report.farthest_distance);
-}
-
 nlohmann::ordered_json report_json(const std::string& file, const AutomaticWeightReport& report) {
   return {{"file", file},
           {"vertices", report.vertices},
@@ -62,47 +42,18 @@ nlohmann::ordered_json report_json(const std::string& file, const AutomaticWeigh
           {"ms", report.milliseconds}};
 }
 
-/// After edits there may be other numbers.
-void count_weights(const Model& bound, AutomaticWeightReport& report) {
-  const SkinnedShape shape = skinned_shapes(bound).front();
-  report.vertices = shape.positions.size();
-  report.joints = bound.skins[0].joints.size();
-  report.max_influences = most_influences(shape.influences);
-}
-
 Result<void> bind(const Words& words) {
   apply_verbosity(words.common);
   const auto edits = weight_edits(words.weights);
   if (!edits) return tl::unexpected<Error>(edits.error());
-  const auto options = bind_options(words, *edits);
-  if (!options) return tl::unexpected<Error>(options.error());
-  if (lower(std::filesystem::path(words.output).extension().string()) != ".glb")
-    return failure(ErrorKind::usage, "-o {}: expected a name that ends in .glb", words.output);
-  const std::vector<std::string> inputs{words.mesh, words.skeleton, words.weights.from};
-  if (auto ok = check_fresh_output(words.output, inputs); !ok) return ok;
-  const auto mesh = read_mesh(words.mesh);
-  if (!mesh) return tl::unexpected<Error>(mesh.error());
-  log_problems(mesh->problems);
-  const auto skeleton = read_mesh(words.skeleton);
-  if (!skeleton) return tl::unexpected<Error>(skeleton.error());
-  if (words.skeleton != words.mesh) log_problems(skeleton->problems);
-  auto bound = bound_model(*mesh, *skeleton, {.keep_hung = true});
+  const auto weights = bind_options(words, *edits);
+  if (!weights) return tl::unexpected<Error>(weights.error());
+  std::vector<std::string> problems;
+  const auto bound =
+      bind_mesh({words.mesh, words.skeleton, words.output, words.weights.from, *weights, *edits}, problems);
+  log_problems(problems);
   if (!bound) return tl::unexpected<Error>(bound.error());
-  AutomaticWeightReport report;
-  if (words.weights.from.empty()) {
-    auto made = set_automatic_weights(*options, *bound);
-    if (!made) return pass_on(std::move(made));
-    report = std::move(*made);
-    log_report(report);
-  } else if (auto ok = take_weights(words.weights.from, *bound); !ok) {
-    return ok;
-  }
-  if (auto ok = edit_weights(*edits, *bound); !ok) return ok;
-  count_weights(*bound, report);
-  const auto bytes = rig_glb(*bound);
-  if (!bytes) return tl::unexpected<Error>(bytes.error());
-  if (auto ok = check_interrupt(); !ok) return ok;
-  if (auto ok = write_file(words.output, *bytes); !ok) return ok;
+  const AutomaticWeightReport& report = *bound;
   if (words.common.json)
     print_json(report_json(words.output, report));
   else

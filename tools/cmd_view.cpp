@@ -4,6 +4,7 @@
 
 #include "engine/view/viewer.h"
 #include "tools/command.h"
+#include "tools/shader_build.h"
 
 namespace sinew::tools {
 namespace {
@@ -15,6 +16,7 @@ struct Words {
   int samples = 1;
   std::optional<int> shown;
   bool uncapped = false;
+  std::optional<std::string> shaders;
 };
 
 Result<ViewerOptions> viewer_options(const Words& words) {
@@ -33,6 +35,8 @@ Result<ViewerOptions> viewer_options(const Words& words) {
   options.uncapped = words.uncapped;
   options.size_given = words.size.has_value();
   options.device = {words.common.device, words.common.validate};
+  options.shaders = shader_build();
+  if (words.shaders) options.shaders.folder = *words.shaders;
   return options;
 }
 
@@ -40,6 +44,8 @@ Result<void> run_view(const Words& words) {
   apply_verbosity(words.common);
   const auto options = viewer_options(words);
   if (!options) return tl::unexpected<Error>(options.error());
+  if (words.shaders && !std::filesystem::is_directory(*words.shaders))
+    return bad_input("--shaders {}: expected a folder", *words.shaders);
   auto system = WindowSystem::start();
   if (!system) return pass_on(std::move(system));
   auto device = open_device(words.common, system->surface_extensions());
@@ -71,6 +77,9 @@ void add_view(CLI::App& program, Run& run) {
   command->add_option("--samples", words->samples, "1 or 4 samples a pixel (1)");
   command->add_option("--frames", words->shown, "Show so many frames, then end");
   command->add_flag("--uncapped", words->uncapped, "As fast as they come, for measurements");
+  if (shader_build().compile)
+    command->add_option("--shaders", words->shaders,
+                        "Folder of shaders, compiled anew when they change (the source's)");
   add_common_options(*command, words->common);
   command->callback([words, &run] { run = [words] { return run_view(*words); }; });
 }

@@ -3,6 +3,7 @@
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/text.h"
+#include "engine/fit/transferred_weights.h"
 #include "engine/fit/weight_run.h"
 #include "engine/io/gltf_read.h"
 #include "engine/io/gltf_write.h"
@@ -43,8 +44,10 @@ Result<void> weights(const Words& words) {
   if (!model) return pass_on(std::move(model));
   log_problems(model->problems);
   const Count before = count(*model);
+  std::vector<std::string> problems;
   if (!words.weights.from.empty())
-    if (auto ok = take_weights(words.weights.from, *model); !ok) return ok;
+    if (auto ok = take_weights(words.weights.from, *model, problems); !ok) return ok;
+  log_problems(problems);
   if (auto ok = edit_weights(*edits, *model); !ok) return ok;
   const Count after = count(*model);
   const auto bytes = rig_glb(*model);

@@ -142,15 +142,6 @@ Result<void> check_validation(const Device& device) {
                  fmt::join(messages, "\n"));
 }
 
-Result<void> check_fresh_output(const std::string& output, std::span<const std::string> inputs) {
-  for (const std::string& input : inputs) {
-    std::error_code none;
-    if (!input.empty() && std::filesystem::equivalent(input, output, none))
-      return failure(ErrorKind::cannot_write, "{}: is read by this very command; write to another file", output);
-  }
-  return check_writable(output);
-}
-
 void log_problems(const std::vector<std::string>& problems) {
   for (const std::string& problem : problems) spdlog::warn("{}", problem);
 }

@@ -12,6 +12,7 @@
 
 #include "engine/app/options.h"
 #include "engine/app/stage.h"
+#include "engine/core/fresh_output.h"
 #include "engine/core/progress.h"
 #include "engine/gpu/device.h"
 
@@ -80,9 +81,6 @@ void print_json(const nlohmann::ordered_json& json);
 
 /// Fails as check_failed where the validation layer had something to say.
 Result<void> check_validation(const Device& device);
-
-/// Fails as cannot_write where `output` is one of the inputs (empty names are passed over) or cannot be created.
-Result<void> check_fresh_output(const std::string& output, std::span<const std::string> inputs);
 
 /// Logs what was repaired or left out.
 void log_problems(const std::vector<std::string>& problems);

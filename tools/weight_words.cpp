@@ -1,10 +1,5 @@
 #include "tools/weight_words.h"
 
-#include <spdlog/spdlog.h>
-
-#include "engine/fit/transferred_weights.h"
-#include "engine/io/gltf_read.h"
-
 namespace sinew::tools {
 
 void add_weight_options(CLI::App& command, WeightWords& words) {
@@ -32,17 +27,6 @@ Result<WeightEdits> weight_edits(const WeightWords& words) {
   edits.prune = words.prune;
   if (!words.mirror.empty()) edits.mirror = words.mirror == "left" ? BodySide::left : BodySide::right;
   return edits;
-}
-
-Result<void> take_weights(const std::string& from, Model& model) {
-  const auto other = read_gltf(from);
-  if (!other) return tl::unexpected<Error>(other.error());
-  const auto missing = transfer_weights(*other, model);
-  if (!missing) return tl::unexpected<Error>(missing.error());
-  if (!missing->empty())
-    spdlog::warn("{} joints of {} are not in the skeleton; joints above them take their weights: {}", missing->size(),
-                 from, fmt::join(*missing, ", "));
-  return {};
 }
 
 }  // namespace sinew::tools

@@ -20,7 +20,4 @@ void add_weight_options(CLI::App& command, WeightWords& words);
 /// Fails as usage.
 Result<WeightEdits> weight_edits(const WeightWords& words);
 
-/// Takes weights over from the file `--from` and logs the joints that the model lacks.
-Result<void> take_weights(const std::string& from, Model& model);
-
 }  // namespace sinew::tools

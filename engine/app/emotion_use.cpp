@@ -100,18 +100,19 @@ std::optional<Keyed<ExpressionWeight>> expressions_with(const std::optional<Keye
   return all;
 }
 
-Result<StagedEmotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
-                                    const Humanoid& humanoid, std::vector<std::string>& problems) {
+Result<StagedMotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
+                                   const Humanoid& humanoid) {
   auto clip = clip_of_emotion(library, cue.emotion);
   if (!clip) return pass_on(std::move(clip));
   const double apex = apex_of(*clip);
   const MotionUse use = use_for_cue(cue, clip->entry, apex, fps);
   const std::string name = fmt::format("clip {}", clip->entry.name);
   const Motion motion = played_motion(std::move(*clip));
-  auto staged = put_motion(motion, name, use, model, humanoid, problems);
+  auto staged = put_motion(motion, name, use, model, humanoid);
   if (!staged) return pass_on(std::move(staged));
   staged->file = library.file().string();
-  return StagedEmotion{std::move(*staged), span_of(motion, use, apex, fps)};
+  staged->span = span_of(motion, use, apex, fps);
+  return staged;
 }
 
 }  // namespace sinew

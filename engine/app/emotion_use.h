@@ -13,12 +13,6 @@ Result<StoredClip> clip_of_emotion(const MotionLibrary& library, Expression emot
 /// 0 to the cue's strength within 0.3 s of its begin, not after its apex, and falls in the same way at its end.
 MotionUse use_for_cue(const EmotionCue& cue, const ClipEntry& clip, double apex, double fps);
 
-/// What a body does over a cue's clip, in the scene's frames: it begins, comes near the pose of its apex, leaves it for
-/// the last time, and ends.
-struct EmotionSpan {
-  double begin = 0.0, near = 0.0, leaving = 0.0, end = 0.0;
-};
-
 /// Of its deviation at the apex, what a body that is near it has at the least; the face's share of its strength there.
 constexpr double near_apex = 0.8;
 
@@ -31,13 +25,8 @@ std::optional<Keyed<ExpressionWeight>> expressions_with(const std::optional<Keye
                                                         std::span<const EmotionCue> cues,
                                                         std::span<const EmotionSpan> spans);
 
-struct StagedEmotion {
-  StagedMotion motion;
-  EmotionSpan span;
-};
-
 /// Finds a cue's clip in the library and puts it onto the model.
-Result<StagedEmotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
-                                    const Humanoid& humanoid, std::vector<std::string>& problems);
+Result<StagedMotion> stage_emotion(const EmotionCue& cue, const MotionLibrary& library, double fps, const Model& model,
+                                   const Humanoid& humanoid);
 
 }  // namespace sinew

@@ -88,7 +88,8 @@ Result<FrameMaker> FrameMaker::create(Device& device, const Stage& stage, const 
       return pass_on(std::move(ok));
   }
   const Bounds rest = rest_bounds(stage);
-  return FrameMaker(std::move(*renderer), stage, look, stage_bounds(stage), rest.empty() ? 0.0 : rest.low.y);
+  return FrameMaker(std::move(*renderer), stage, look, stage.bounds ? *stage.bounds : stage_bounds(stage),
+                    rest.empty() ? 0.0 : rest.low.y);
 }
 
 Result<Picture> FrameMaker::picture(int frame) { return picture(frame, shot(frame)); }
@@ -152,7 +153,7 @@ Result<void> FrameMaker::resize(const PictureSize& size) {
 void FrameMaker::follow_stage() {
   const Bounds rest = rest_bounds(*stage_);
   floor_ = rest.empty() ? 0.0 : rest.low.y;
-  bounds_ = stage_bounds(*stage_);
+  bounds_ = stage_->bounds ? *stage_->bounds : stage_bounds(*stage_);
 }
 
 Result<void> FrameMaker::follow_muscles() {

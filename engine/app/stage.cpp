@@ -114,12 +114,21 @@ Bounds rest_bounds(const Stage& stage) {
 }
 
 Bounds stage_bounds(const Stage& stage) {
+  TaskWatch unwatched;
+  return *stage_bounds(stage, unwatched);
+}
+
+Result<Bounds> stage_bounds(const Stage& stage, TaskWatch& watch) {
   Bounds bounds = rest_bounds(stage);
   for (std::size_t c = 0; c < stage.characters.size(); ++c) {
     const StagedCharacter& character = stage.characters[c];
-    for (const int frame : bounds_frames(stage.range, character)) {
+    const std::set<int> frames = bounds_frames(stage.range, character);
+    watch.add(frames.size());
+    for (const int frame : frames) {
+      if (auto ok = watch.check(); !ok) return pass_on(std::move(ok));
       const CharacterState state = character_state(stage, c, frame);
       bounds.add(bounds_of(deform_on_cpu(character, state, Deformer::ssd, BulgeMode::off).positions));
+      watch.advance();
     }
   }
   if (bounds.empty()) bounds.add(Vec3(0.0));

@@ -17,7 +17,7 @@ namespace sinew {
 /// A model and everything about it that no frame changes.
 struct StagedCharacter {
   Character scene;  ///< what the scene says of it; its emotions' expressions are among the expressions
-  std::unique_ptr<Model> model;
+  std::shared_ptr<const Model> model;
   std::string model_hash;  ///< SHA-256 of all that it was read from, or the name of a built-in model
   std::vector<int> order;  ///< hierarchy_order
   std::vector<Quat> rest_rotations;
@@ -58,30 +58,29 @@ struct Stage {
   std::string source;      ///< what was opened, for messages: a file, or "the embedded scene"
   std::string scene_hash;  ///< of what is shown: scene, models, clip, pose, fps, strength; no paths, no frames
   std::vector<std::string> problems;  ///< of all models, each with its file
-  std::vector<StagedCharacter> spare;  ///< models that no character of the scene uses now, the latest first
+  // What is kept for scenes to come, the latest first.
+  std::vector<StagedCharacter> spare;       ///< models that no character of the scene uses now
+  std::vector<StagedMotion> spare_motions;  ///< that no character plays now
+  /// stage_bounds(), where whoever made the stage has found it already.
+  std::optional<Bounds> bounds;
 
   std::size_t vertices() const;
   std::size_t triangles() const;
 };
 
-/// Opens a scene file, a bare model or the embedded default. Fails as bad_input; nothing is left half open.
+/// Opens a scene file, a bare model or the embedded default. Fails as bad_input, or as interrupted where the watch
+/// stopped it; nothing is left half open.
+Result<Stage> open_stage(const SceneOptions& options, TaskWatch& watch);
 Result<Stage> open_stage(const SceneOptions& options);
 
-/// Puts another scene on the stage: models that it has already, some spare ones among them, are not read or drawn again.
-/// `options` as in open_stage(), but not its scene. Fails as open_stage() does and then leaves the stage as it was.
+/// Puts another scene on the stage: models and motions that it has already, some spare ones among them, are not made
+/// again; missing_parts() tells which are. `options` as in open_stage(), but not its scene. Fails as open_stage() does
+/// and then leaves the stage as it was.
 Result<void> restage(Stage& stage, const Scene& scene, const SceneOptions& options);
 
 /// The same for a scene that differs in the numbers of its muscles alone, of which it has as many: nothing else is made
 /// anew. Fails as bad_input where one cannot be placed, and then leaves the stage as it was.
 Result<void> restage_muscles(Stage& stage, const Scene& scene, const SceneOptions& options);
-
-/// True where restage() would have to read or draw this character's model.
-bool needs_model(const Stage& stage, const Character& character);
-
-/// The model of a scene's character as restage() would make it, to be put among the stage's spare ones: for whoever
-/// cannot wait for it there. `source`: the scene's, for messages. Fails as open_stage() does.
-Result<StagedCharacter> ready_character(const Scene& scene, std::size_t character, const SceneOptions& options,
-                                        const std::string& source);
 
 /// The stage's scene with everything spelled out that a bare model has by default: what it shows as a scene file does.
 /// Fails as bad_input where a muscle's joint has no name.
@@ -106,6 +105,8 @@ Bounds rest_bounds(const Stage& stage);
 /// The box round the rest pose and the scene's whole range, plain SSD, world space. Ranges of over 256 frames are
 /// sampled at evenly spaced frames, both ends among them, and at the scene's keys.
 Bounds stage_bounds(const Stage& stage);
+/// The same, each frame an item of the watch more. Fails as interrupted.
+Result<Bounds> stage_bounds(const Stage& stage, TaskWatch& watch);
 
 /// Fails as cannot_write where `output` is one of the files that the stage was opened from.
 Result<void> check_not_an_input(const Stage& stage, const std::string& output);

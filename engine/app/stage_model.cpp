@@ -1,8 +1,10 @@
 #include "engine/app/stage_model.h"
 
 #include "engine/body/built_in_model.h"
+#include "engine/body/headed_figure.h"
 #include "engine/face/model_face.h"
 #include "engine/io/gltf_read.h"
+#include "engine/io/mesh_read.h"
 #include "engine/model/resample.h"
 #include "engine/model/scene_words.h"
 
@@ -39,14 +41,46 @@ std::string content_hash(Sha256& hash, const Model& model) {
   return hash.finish();
 }
 
+/// Models that are drawn from the scene's "head": a head alone, or a figure that wears one.
+Result<void> draw_head(StagedCharacter& character, double frame, const ScenePlace& place) {
+  const std::string name = character.scene.model.string();
+  const std::optional<HeadSpec>& spec = character.scene.head;
+  if (name == "builtin:head") {
+    auto head = DrawnHead::make(spec.value_or(HeadSpec{}), frame);
+    if (!head) return place.inside("/head", std::move(head));
+    character.face.head = std::make_shared<DrawnHead>(std::move(*head));
+    character.model = std::make_shared<Model>(character.face.head->model());
+    character.model_hash = fmt::format("{} {}", name, sha256(character.face.head->measures()));
+    return {};
+  }
+  if (!spec) return {};
+  const auto figure = built_in_figure(name);
+  if (!figure)
+    return place.at("/head",
+                    Result<void>(bad_input("is for \"builtin:head\" and the built-in figures, not for {}", name)));
+  if (!spec->age.is_constant())
+    return place.at("/head/age",
+                    Result<void>(bad_input("a figure's head keeps its age; only builtin:head changes it")));
+  const auto measures = head_measures(*spec, frame);
+  if (!measures) return place.inside("/head", Result<HeadMeasures>(measures));
+  auto headed = build_headed_figure(*figure, *measures, spec->level.value_or(default_head_level));
+  if (!headed) return place.at("/head", std::move(headed));
+  character.face.worn = headed->face();
+  headed->model.file = name;
+  character.model = std::make_shared<Model>(std::move(headed->model));
+  character.model_hash =
+      fmt::format("{} {} {}", name, sha256(measures_text(*measures)), spec->level.value_or(default_head_level));
+  return {};
+}
+
 /// Reads the file once, so that the hash is that of what was parsed, whoever replaces the file meanwhile.
-Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) {
+Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes, const TaskWatch& watch) {
   const std::string name = character.scene.model.string();
   if (character.model) return {};  // it was drawn
   if (is_built_in_model(name)) {
     auto model = built_in_model(name);
     if (!model) return pass_on(std::move(model));
-    character.model = std::make_unique<Model>(std::move(*model));
+    character.model = std::make_shared<Model>(std::move(*model));
     character.model_hash = name;
     return {};
   }
@@ -55,12 +89,14 @@ Result<void> load_model(StagedCharacter& character, std::optional<Bytes> bytes) 
     if (!read) return pass_on(std::move(read));
     bytes = std::move(*read);
   }
+  if (auto ok = watch.check(); !ok) return ok;
   Sha256 hash;
   hash.add(*bytes);
-  auto model = read_gltf(character.scene.model, std::move(*bytes));
+  auto model = is_polygon_file(name) ? read_mesh(name) : read_gltf(name, std::move(*bytes));
   if (!model) return pass_on(std::move(model));
+  if (auto ok = watch.check(); !ok) return ok;
   character.model_hash = content_hash(hash, *model);
-  character.model = std::make_unique<Model>(std::move(*model));
+  character.model = std::make_shared<Model>(std::move(*model));
   return {};
 }
 
@@ -101,10 +137,8 @@ Result<void> give_face(StagedCharacter& character) {
   return lay_face(character);
 }
 
-}  // namespace
-
-Result<void> stage_model(StagedCharacter& character, const SceneOptions& options, std::optional<Bytes> bytes) {
-  if (auto ok = load_model(character, std::move(bytes)); !ok) return ok;
+/// What follows from the model that was read or drawn.
+Result<void> lay_out(StagedCharacter& character, const SceneOptions& options) {
   const Model& model = *character.model;
   character.order = hierarchy_order(model);
   character.rest_rotations = rest_rotations(model, character.order);
@@ -123,6 +157,20 @@ Result<void> stage_model(StagedCharacter& character, const SceneOptions& options
   for (MeshPart& part : character.mesh.parts)
     if (part.vertex_count > 0) part.mirrored = glm::determinant(character.rest.blend[part.first_vertex]) < 0.0;
   character.humanoid = find_humanoid(model, character.rest.global);
+  return {};
+}
+
+}  // namespace
+
+Result<void> stage_model(StagedCharacter& character, const Scene& scene, const SceneOptions& options,
+                         const ScenePlace& place, TaskWatch& watch, std::optional<Bytes> bytes) {
+  if (auto ok = watch.check(); !ok) return ok;
+  if (auto ok = draw_head(character, scene.frames.value_or(FrameSpan{}).first, place); !ok) return ok;
+  if (auto ok = load_model(character, std::move(bytes), watch); !ok) return place.at("/model", std::move(ok));
+  watch.advance();
+  if (auto ok = watch.check(); !ok) return ok;
+  if (auto ok = lay_out(character, options); !ok) return place.at("/model", std::move(ok));
+  watch.advance();
   return {};
 }
 

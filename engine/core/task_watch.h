@@ -3,10 +3,14 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 
 #include "engine/core/result.h"
 
 namespace sinew {
+
+/// Asked between two pieces of work; fails once it is to stop.
+using StopCheck = std::function<Result<void>()>;
 
 /// One side works and counts, the other looks and may cancel. All calls from any thread.
 class TaskWatch {
@@ -16,6 +20,8 @@ class TaskWatch {
     done_ = 0;
     total_ = total;
   }
+  /// So many more, as it turns out.
+  void add(std::size_t more) { total_ += more; }
   void advance() { ++done_; }
   void cancel() { cancelled_ = true; }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <set>
 
+#include "engine/core/interrupt.h"
 #include "engine/fit/heat_weights.h"
 #include "engine/fit/nearest_bones.h"
 #include "engine/fit/weight_run.h"
@@ -82,8 +83,8 @@ Result<std::set<std::uint32_t>> left_out_joints(const Model& model, const std::v
 }
 
 Result<Nearest> find_nearest(const std::string& file, const SkinnedShape& shape, const VoxelSolid& solid,
-                             const std::vector<BoneSegment>& segments) {
-  const auto reached = nearest_bones(solid, segments);
+                             const std::vector<BoneSegment>& segments, const StopCheck& check) {
+  const auto reached = nearest_bones(solid, segments, check);
   if (!reached) return tl::unexpected<Error>(reached.error());
   Nearest nearest;
   for (const Vec3& p : shape.positions) {
@@ -161,18 +162,32 @@ Result<AutomaticWeightReport> set_automatic_weights(const AutomaticWeightOptions
   const Skin& skin = model.skins[0];
   const auto left_out = left_out_joints(model, options.left_out);
   if (!left_out) return tl::unexpected<Error>(left_out.error());
+  TaskWatch unwatched;
+  TaskWatch& watch = options.watch != nullptr ? *options.watch : unwatched;
+  const StopCheck check = [&watch]() -> Result<void> {
+    if (auto ok = watch.check(); !ok) return ok;
+    return check_interrupt();
+  };
+  constexpr std::size_t steps_before = 2;
+  watch.begin(steps_before + skin.joints.size());
   const VoxelSolid solid = voxel_solid(shape.positions, shape.triangles, options.resolution);
   std::vector<BoneSegment> segments = bone_segments(model, skin, solid);
   std::erase_if(segments, [&](const BoneSegment& segment) { return left_out->contains(segment.joint); });
   if (segments.empty() || !any_lies_near(segments, shape))
     return bad_input("{}: no joint of the skeleton lies in it; expected both in the same place and size", model.file);
-  const auto nearest = find_nearest(model.file, shape, solid, segments);
+  watch.advance();
+  const auto nearest = find_nearest(model.file, shape, solid, segments, check);
   if (!nearest) return tl::unexpected<Error>(nearest.error());
 
   HeatJob heat{shape.positions, shape.triangles, nearest->joint, nearest->distance,
                static_cast<std::uint32_t>(skin.joints.size())};
   Progress progress("spreading weights", skin.joints.size(), options.progress);
-  heat.advance = [&progress] { progress.advance(); };
+  watch.advance();
+  heat.check = check;
+  heat.advance = [&] {
+    progress.advance();
+    watch.advance();
+  };
   auto spread = heat.run();
   if (!spread) return failure(spread.error().kind, "{}: {}", model.file, spread.error().message);
   const Kinship kinship(model, skin);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/progress.h"
-#include "engine/core/result.h"
+#include "engine/core/task_watch.h"
 #include "engine/fit/skinned_shape.h"
 #include "engine/model/model.h"
 
@@ -17,6 +17,7 @@ struct AutomaticWeightOptions {
   int resolution = 192;               ///< voxels along the longest side
   std::vector<std::string> left_out;  ///< joints that shall move nothing, by node or humanoid name
   ProgressStyle progress = ProgressStyle::none;
+  TaskWatch* watch = nullptr;  ///< counts joints and the steps before; cancelled, it stops the work as a signal does
 };
 
 struct AutomaticWeightReport {

@@ -81,7 +81,7 @@ Result<std::vector<std::vector<Influence>>> HeatJob::run() const {
   for (const std::uint32_t b : owner) owns[b] = 1;
   std::vector<Eigen::VectorXd> solved(together);
   for (std::uint32_t first = 0; first < bones; first += together) {
-    if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+    if (auto ok = check(); !ok) return pass_on(std::move(ok));
     const std::size_t count = std::min<std::size_t>(together, bones - first);
     parallel_for(
         count,

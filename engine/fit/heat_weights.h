@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/result.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/task_watch.h"
 #include "engine/model/model.h"
 
 namespace sinew {
@@ -22,6 +23,7 @@ struct HeatJob {
   std::span<const double> distance;          ///< [vertices] to it, > 0
   std::uint32_t bones = 0;
   std::function<void()> advance = [] {};  ///< called `bones` times
+  StopCheck check = check_interrupt;      ///< asked now and then
 
   /// The weights, [vertices], all that are not lost in rounding, in no order. Fails as interrupted.
   Result<std::vector<std::vector<Influence>>> run() const;

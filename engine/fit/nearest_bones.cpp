@@ -24,9 +24,10 @@ struct Reach {
 
 class Search {
  public:
-  Search(const VoxelSolid& solid, std::span<const BoneSegment> segments)
+  Search(const VoxelSolid& solid, std::span<const BoneSegment> segments, const StopCheck& check)
       : solid_(solid),
         segments_(segments),
+        check_(check),
         nearest_(solid.cells.size(), no_segment),
         best_(solid.cells.size(), INFINITY),
         surface_left_(static_cast<std::size_t>(std::count(solid.cells.begin(), solid.cells.end(), Voxel::surface))) {
@@ -36,7 +37,7 @@ class Search {
   Result<std::vector<std::uint32_t>> run() {
     for (std::size_t steps = 0; surface_left_ > 0 && !queue_.empty(); ++steps) {
       if (steps % 65536 == 0)
-        if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
+        if (auto ok = check_(); !ok) return pass_on(std::move(ok));
       Reach reach = queue_.top();
       queue_.pop();
       if (nearest_[reach.cell] != no_segment) continue;
@@ -93,6 +94,7 @@ class Search {
 
   const VoxelSolid& solid_;
   std::span<const BoneSegment> segments_;
+  const StopCheck& check_;
   std::vector<std::uint32_t> nearest_;
   std::vector<float> best_;  ///< [cells] the shortest way so far
   std::size_t surface_left_;
@@ -101,8 +103,9 @@ class Search {
 
 }  // namespace
 
-Result<std::vector<std::uint32_t>> nearest_bones(const VoxelSolid& solid, std::span<const BoneSegment> segments) {
-  return Search(solid, segments).run();
+Result<std::vector<std::uint32_t>> nearest_bones(const VoxelSolid& solid, std::span<const BoneSegment> segments,
+                                                 const StopCheck& check) {
+  return Search(solid, segments, check).run();
 }
 
 }  // namespace sinew

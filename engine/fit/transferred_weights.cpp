@@ -7,6 +7,7 @@
 #include "engine/fit/closest_surface.h"
 #include "engine/fit/skinned_shape.h"
 #include "engine/fit/weight_run.h"
+#include "engine/io/gltf_read.h"
 
 namespace sinew {
 namespace {
@@ -91,6 +92,17 @@ Result<std::vector<std::string>> transfer_weights(const Model& other, Model& mod
     set_influences(shape, taken_over(from, surface, joints, shape.positions), model);
   }
   return std::vector<std::string>(missing.begin(), missing.end());
+}
+
+Result<void> take_weights(const std::string& file, Model& model, std::vector<std::string>& problems) {
+  const auto other = read_gltf(file);
+  if (!other) return tl::unexpected<Error>(other.error());
+  const auto missing = transfer_weights(*other, model);
+  if (!missing) return tl::unexpected<Error>(missing.error());
+  if (!missing->empty())
+    problems.push_back(fmt::format("{} joints of {} are not in the skeleton; joints above them take their weights: {}",
+                                   missing->size(), file, fmt::join(*missing, ", ")));
+  return {};
 }
 
 }  // namespace sinew

@@ -15,4 +15,7 @@ namespace sinew {
 /// those joints. Fails as bad_input where either has no skinned mesh or no joint has the same name.
 Result<std::vector<std::string>> transfer_weights(const Model& other, Model& model);
 
+/// The same from a skinned glTF file; the joints that the model lacks are named in `problems`.
+Result<void> take_weights(const std::string& file, Model& model, std::vector<std::string>& problems);
+
 }  // namespace sinew

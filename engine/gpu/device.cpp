@@ -217,10 +217,13 @@ std::vector<std::string> Device::validation_messages() const {
   return vulkan_->messages;
 }
 
+void Device::use_shaders(std::shared_ptr<const ShaderSet> shaders) { vulkan_->shaders = std::move(shaders); }
+
 Result<Device> Device::create(const DeviceOptions& options) {
   keep_freed_memory();
   try {
     auto vulkan = std::make_unique<VulkanDevice>();
+    vulkan->shaders = options.shaders;
     if (options.validate && !has_validation_layer(vulkan->context))
       return failure(ErrorKind::no_device, "--validate needs the layer {} (Debian: vulkan-validationlayers)",
                      validation_layer);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/gpu/shader_code.h"
 
 namespace sinew {
 
@@ -24,6 +25,8 @@ struct DeviceOptions {
   bool validate = false;  ///< run with the validation layer's core and synchronisation checks
   /// Instance extensions of a window system. Not empty: the device can show pictures in its windows.
   std::vector<std::string> surface_extensions = {};
+  /// In place of those that the program carries; null: none.
+  std::shared_ptr<const ShaderSet> shaders = nullptr;
 };
 
 struct VulkanDevice;
@@ -46,6 +49,9 @@ class Device {
 
   /// What the validation layer has said so far; always empty without DeviceOptions::validate.
   std::vector<std::string> validation_messages() const;
+
+  /// DeviceOptions::shaders of what is made on the device from now on.
+  void use_shaders(std::shared_ptr<const ShaderSet> shaders);
 
   VulkanDevice& vulkan() { return *vulkan_; }
 

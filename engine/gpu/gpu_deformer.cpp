@@ -122,7 +122,7 @@ void create_pipeline(GpuDeformer::Impl& d, const PackedCharacter& packed, const 
   const vk::SpecializationInfo special(entries.size(), entries.data(), sizeof(values), values.data());
   const Shader full = d.texel ? Shader::deform_texel : Shader::deform_storage;
   const Shader bare = d.texel ? Shader::deform_bare_texel : Shader::deform_bare_storage;
-  const vk::raii::ShaderModule module = d.vulkan->shader(shader_code(options.bare ? bare : full));
+  const vk::raii::ShaderModule module = d.vulkan->shader(options.bare ? bare : full);
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                 options.bare ? nullptr : &special);
   d.pipeline =

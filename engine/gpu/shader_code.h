@@ -1,8 +1,11 @@
 #pragma once
-/// The shaders, compiled when the program was built.
+/// The shaders: what each is compiled from, and the code that the program carries.
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace sinew {
 
@@ -30,7 +33,20 @@ enum class Shader {
   wire_fragment,
 };
 
-/// SPIR-V words.
+/// SPIR-V words, compiled when the program was built.
 std::span<const std::uint32_t> shader_code(Shader shader);
+
+/// SPIR-V words of shaders compiled while the program runs, in place of those that it carries.
+using ShaderSet = std::map<Shader, std::vector<std::uint32_t>>;
+
+/// What a shader is compiled from.
+struct ShaderSource {
+  Shader shader;
+  std::string file;                  ///< in the folder `shaders`; its ending says the stage
+  std::vector<std::string> defines;  ///< macros that are set
+};
+
+/// Every shader, as the build's list has them (CMakeLists.txt).
+const std::vector<ShaderSource>& shader_sources();
 
 }  // namespace sinew

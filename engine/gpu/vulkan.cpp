@@ -113,7 +113,10 @@ void VulkanDevice::run(const std::function<void(vk::raii::CommandBuffer&)>& reco
   submit_and_wait(commands);
 }
 
-vk::raii::ShaderModule VulkanDevice::shader(std::span<const uint32_t> code) {
+vk::raii::ShaderModule VulkanDevice::shader(Shader shader) {
+  std::span<const uint32_t> code = shader_code(shader);
+  if (shaders)
+    if (const auto found = shaders->find(shader); found != shaders->end()) code = found->second;
   return {device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data())};
 }
 

@@ -9,6 +9,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/gpu/device.h"
+#include "engine/gpu/shader_code.h"
 
 namespace sinew {
 
@@ -51,6 +52,7 @@ struct VulkanDevice {
   bool anisotropy = false;
   bool sample_shading = false;
   DeviceInfo info;
+  std::shared_ptr<const ShaderSet> shaders;  ///< DeviceOptions::shaders
   std::mutex message_mutex;
   std::vector<std::string> messages;
 
@@ -68,7 +70,7 @@ struct VulkanDevice {
   void submit_and_wait(vk::raii::CommandBuffer& commands);
   void run(const std::function<void(vk::raii::CommandBuffer&)>& record);
 
-  vk::raii::ShaderModule shader(std::span<const uint32_t> code);
+  vk::raii::ShaderModule shader(Shader shader);
 
   /// One set a layout, owned by the pool, which frees them with itself.
   std::vector<vk::DescriptorSet> allocate_sets(const vk::raii::DescriptorPool& from,

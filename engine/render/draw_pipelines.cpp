@@ -32,12 +32,12 @@ struct PipelineParts {
 };
 
 vk::raii::Pipeline create(VulkanDevice& vulkan, vk::PipelineLayout layout, const PipelineParts& parts) {
-  const vk::raii::ShaderModule vertex = vulkan.shader(shader_code(parts.vertex));
+  const vk::raii::ShaderModule vertex = vulkan.shader(parts.vertex);
   vk::raii::ShaderModule fragment = nullptr;
   std::vector<vk::PipelineShaderStageCreateInfo> stages{
       {{}, vk::ShaderStageFlagBits::eVertex, *vertex, "main", parts.constants}};
   if (parts.fragment) {
-    fragment = vulkan.shader(shader_code(*parts.fragment));
+    fragment = vulkan.shader(*parts.fragment);
     stages.emplace_back(vk::PipelineShaderStageCreateFlags(), vk::ShaderStageFlagBits::eFragment, *fragment, "main",
                         parts.constants);
   }

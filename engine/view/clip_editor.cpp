@@ -39,85 +39,90 @@ const std::vector<double>& ClipEditor::samples(const CurveChoice& choice) const 
   return values_;
 }
 
-double ClipEditor::rms_residual(const CurveChoice& choice) const {
+const ClipEditor::Residual& ClipEditor::residual(const CurveChoice& choice) const {
+  if (residual_of_ == choice) return residual_;
+  residual_of_ = choice;
+  residual_ = {};
   const std::vector<double>& values = samples(choice);
+  const PiecewisePolynomial& edited = curve(choice);
   double sum = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double off = values[i] - curve(choice).value(times_[i]);
+    const double off = values[i] - edited.value(times_[i]);
+    residual_.values.push_back(off);
+    residual_.largest = std::max(residual_.largest, std::abs(off));
     sum += off * off;
   }
-  return std::sqrt(sum / static_cast<double>(values.size()));
+  residual_.rms = std::sqrt(sum / static_cast<double>(values.size()));
+  return residual_;
 }
 
-double ClipEditor::largest_residual(const CurveChoice& choice) const {
-  const std::vector<double>& values = samples(choice);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    largest = std::max(largest, std::abs(values[i] - curve(choice).value(times_[i])));
-  return largest;
-}
-
-nlohmann::json ClipEditor::edit_of(const char* operation, const CurveChoice& choice, std::size_t key) const {
+nlohmann::json ClipEditor::edit_of(const char* operation, const CurveChoice& choice, double seconds) const {
   return {{"operation", operation},
           {"joint", clip_.motion.skeleton.joints[choice.joint].name},
           {"axis", axis_words[choice.axis]},
-          {"time", curve(choice).cuts[key]}};
+          {"time", seconds}};
 }
 
-/// True where the edit goes on with the drag that made the last one.
-bool ClipEditor::continues_last(const nlohmann::json& edit) const {
-  const auto same = [&](const char* key) { return edits_.back().at(key) == edit.at(key); };
-  return merges_ && !edits_.empty() && same("operation") && same("joint") && same("axis") && same("time");
-}
-
-Result<void> ClipEditor::add(nlohmann::json edit, bool merges) {
-  const bool replaces = merges && continues_last(edit);
+Result<void> ClipEditor::add(const nlohmann::json& edits, bool replaces) {
   EditedMotion motion = replaces ? steps_[steps_.size() - 2] : steps_.back();
-  if (auto ok = apply_edits(motion, nlohmann::json::array({edit}), {}); !ok) return ok;
+  if (auto ok = apply_edits(motion, edits, {}); !ok) return ok;
   if (replaces) {
-    edits_.back() = std::move(edit);
-    steps_.back() = std::move(motion);
+    edits_.erase(edits_.begin() + static_cast<std::ptrdiff_t>(begins_.back()), edits_.end());
+    steps_.pop_back();
   } else {
-    edits_.push_back(std::move(edit));
-    steps_.push_back(std::move(motion));
+    begins_.push_back(edits_.size());
   }
-  merges_ = merges;
+  edits_.insert(edits_.end(), edits.begin(), edits.end());
+  steps_.push_back(std::move(motion));
+  residual_of_.reset();
   return {};
 }
 
-Result<void> ClipEditor::set_key(const CurveChoice& choice, std::size_t key, double value,
-                                 std::optional<double> slope) {
-  nlohmann::json edit = edit_of("set_key", choice, key);
+Result<void> ClipEditor::set_key(const CurveChoice& choice, std::size_t key, double value, std::optional<double> slope,
+                                 std::optional<double> seconds) {
+  const bool goes_on = dragged_ && dragged_->is(choice, key);
+  if (!goes_on) dragged_.reset();
+  const std::vector<double>& cuts =
+      (goes_on ? steps_[steps_.size() - 2] : steps_.back()).curves.joints[choice.joint].angles[choice.axis].cuts;
+  nlohmann::json edits = nlohmann::json::array();
+  double at = cuts[key];
+  if (seconds && key > 0 && key + 1 < cuts.size()) {
+    const double frame = clip_.motion.frame_time, low = cuts[key - 1] + frame, high = cuts[key + 1] - frame;
+    const double to = low < high ? std::clamp(*seconds, low, high) : at;
+    if (to != at) {
+      nlohmann::json edit = edit_of("move_key", choice, at);
+      edit["to"] = at = to;
+      edits.push_back(std::move(edit));
+    }
+  }
+  nlohmann::json edit = edit_of("set_key", choice, at);
   edit["value"] = value;
   // The slope stays what it was made by an earlier step of the same drag.
-  if (slope)
-    edit["slope"] = *slope;
-  else if (continues_last(edit) && edits_.back().contains("slope"))
-    edit["slope"] = edits_.back()["slope"];
-  return add(std::move(edit), true);
-}
-
-Result<void> ClipEditor::move_key(const CurveChoice& choice, std::size_t key, double seconds) {
-  nlohmann::json edit = edit_of("move_key", choice, key);
-  edit["to"] = seconds;
-  return add(std::move(edit), false);
+  if (!slope && goes_on) slope = dragged_->slope;
+  if (slope) edit["slope"] = *slope;
+  edits.push_back(std::move(edit));
+  if (auto ok = add(edits, goes_on); !ok) return ok;
+  dragged_ = DraggedKey{choice, key, slope};
+  return {};
 }
 
 Result<void> ClipEditor::add_key(const CurveChoice& choice, double seconds) {
-  nlohmann::json edit = edit_of("add_key", choice, 0);
-  edit["time"] = seconds;
-  return add(std::move(edit), false);
+  seal();
+  return add(nlohmann::json::array({edit_of("add_key", choice, seconds)}), false);
 }
 
 Result<void> ClipEditor::delete_key(const CurveChoice& choice, std::size_t key) {
-  return add(edit_of("delete_key", choice, key), false);
+  seal();
+  return add(nlohmann::json::array({edit_of("delete_key", choice, curve(choice).cuts[key])}), false);
 }
 
 void ClipEditor::take_back() {
-  if (edits_.empty()) return;
-  edits_.erase(edits_.size() - 1);
+  if (begins_.empty()) return;
+  edits_.erase(edits_.begin() + static_cast<std::ptrdiff_t>(begins_.back()), edits_.end());
+  begins_.pop_back();
   steps_.pop_back();
-  merges_ = false;
+  residual_of_.reset();
+  seal();
 }
 
 }  // namespace sinew

@@ -32,37 +32,51 @@ class ClipEditor {
   /// The parent's samples in the curve's own angles, [frames]; and their times.
   const std::vector<double>& samples(const CurveChoice& choice) const;
   const std::vector<double>& times() const { return times_; }
-  /// Root mean square and largest difference of the edited curve from the samples, degrees.
-  double rms_residual(const CurveChoice& choice) const;
-  double largest_residual(const CurveChoice& choice) const;
+  /// How far the samples are from the edited curve, degrees.
+  struct Residual {
+    std::vector<double> values;       ///< [frames] sample less curve
+    double rms = 0.0, largest = 0.0;  ///< root mean square, largest size
+  };
+  const Residual& residual(const CurveChoice& choice) const;
 
-  // Edits, each one of apply_edits()'. Setting the same key again replaces the edit before. Each fails as apply_edits()
-  // does, and then nothing has changed.
-  Result<void> set_key(const CurveChoice& choice, std::size_t key, double value, std::optional<double> slope = {});
-  Result<void> move_key(const CurveChoice& choice, std::size_t key, double seconds);
+  // Edits, each of apply_edits()'. Setting the same key again replaces what was done to it before, until seal(). Each
+  // fails as apply_edits() does, and then nothing has changed.
+  /// `seconds`: where the key goes, held a frame away from its neighbours; the ends stay where they are.
+  Result<void> set_key(const CurveChoice& choice, std::size_t key, double value, std::optional<double> slope = {},
+                       std::optional<double> seconds = {});
   Result<void> add_key(const CurveChoice& choice, double seconds);
   Result<void> delete_key(const CurveChoice& choice, std::size_t key);
   /// Ends a drag: the next edit of the same key is one of its own.
-  void seal() { merges_ = false; }
+  void seal() { dragged_.reset(); }
 
   bool is_edited() const { return !edits_.empty(); }
-  /// Takes the last edit back.
+  /// Takes the last edit back, a drag as a whole.
   void take_back();
   const nlohmann::json& edits() const { return edits_; }
 
  private:
-  nlohmann::json edit_of(const char* operation, const CurveChoice& choice, std::size_t key) const;
-  bool continues_last(const nlohmann::json& edit) const;
-  Result<void> add(nlohmann::json edit, bool merges);
+  /// A key while it is dragged.
+  struct DraggedKey {
+    CurveChoice choice;
+    std::size_t key = 0;
+    std::optional<double> slope{};  ///< that the drag gave it
+    bool is(const CurveChoice& c, std::size_t k) const { return choice == c && key == k; }
+  };
+  nlohmann::json edit_of(const char* operation, const CurveChoice& choice, double seconds) const;
+  /// Adds a step; `replaces`: in place of the last one.
+  Result<void> add(const nlohmann::json& edits, bool replaces);
 
   StoredClip clip_;
   MotionSamples samples_;
   std::vector<double> times_;
   mutable std::vector<double> values_;        ///< of `shown_`
   mutable std::optional<CurveChoice> shown_;  ///< whose samples were asked for last
-  std::vector<EditedMotion> steps_;           ///< [edits + 1] the curves before the first edit and after each
+  mutable Residual residual_;                 ///< of the curve `residual_of_` as it is now
+  mutable std::optional<CurveChoice> residual_of_;
+  std::vector<EditedMotion> steps_;  ///< [steps + 1] the curves before the first step and after each
+  std::vector<std::size_t> begins_;  ///< [steps] the number of edits before each
   nlohmann::json edits_ = nlohmann::json::array();
-  bool merges_ = false;
+  std::optional<DraggedKey> dragged_;
 };
 
 }  // namespace sinew

@@ -10,6 +10,8 @@ namespace {
 
 constexpr float left_margin = 46.0f, bottom_margin = 20.0f, residual_height = 46.0f, gap = 8.0f;
 constexpr double handle_pixels = 34.0, reach_pixels = 8.0;
+/// A key keeps its time while the pointer stays so near.
+constexpr double time_pixels = 8.0;
 
 const ImU32 grid_colour = IM_COL32(255, 255, 255, 22), text_colour = IM_COL32(255, 255, 255, 130);
 const ImU32 cut_colour = IM_COL32(255, 255, 255, 60), dot_colour = IM_COL32(140, 190, 255, 190);
@@ -45,29 +47,42 @@ void draw_ground(ImDrawList& draw, const PlotScale& scale, const char* unit, boo
   text({high.x, high.y + 11.0f}, 1.0f, unit);
 }
 
-/// Words at a plot's upper left corner, legible over what is plotted.
-void draw_caption(ImDrawList& draw, const ImVec2& corner, const std::string& words) {
+/// Words at a plot's upper left corner, legible over what is plotted, in as many lines as they need.
+void draw_caption(ImDrawList& draw, const PlotScale& scale, const std::string& words) {
   if (words.empty()) return;
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 corner = pixel(scale.corner);
+  const float room = static_cast<float>(scale.size.x) - 12.0f;
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, room);
   draw.AddRectFilled(corner, {corner.x + size.x + 12.0f, corner.y + size.y + 4.0f}, caption_colour);
-  draw.AddText({corner.x + 6.0f, corner.y + 2.0f}, text_colour, words.c_str());
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {corner.x + 6.0f, corner.y + 2.0f}, text_colour, words.c_str(),
+               nullptr, room);
 }
 
-void draw_line(ImDrawList& draw, const PlotScale& scale, const std::function<double(double)>& value, ImU32 colour) {
+/// Points of the curve over the part of the time that is shown, in the plot's units.
+std::vector<Vec2> line_of(const PlottedCurve& curve, const PlotScale& scale) {
   constexpr double step = 2.0;
+  std::vector<Vec2> line;
   for (double at = 0.0; at <= scale.size.x; at += step) {
-    const double x = scale.x_of(scale.corner.x + std::min(at, scale.size.x));
-    draw.PathLineTo(pixel(scale.to_pixel(x, value(x))));
+    const double x = scale.x_of(scale.corner.x + at);
+    line.emplace_back(x, curve.value(x));
   }
+  return line;
+}
+
+void draw_line(ImDrawList& draw, const PlotScale& scale, const std::vector<Vec2>& line, ImU32 colour) {
+  for (const Vec2& point : line) draw.PathLineTo(pixel(scale.to_pixel(point.x, point.y)));
   draw.PathStroke(colour, 0, 1.8f);
 }
 
-PlotRange values_of(const PlottedCurve& curve) {
+/// Of all that is seen between two times.
+PlotRange values_of(const PlottedCurve& curve, const std::vector<Vec2>& line, const PlotRange& shown) {
   PlotRange range;
-  for (const double value : curve.samples) range.add(value);
-  constexpr int steps = 200;
-  for (int i = 0; i <= steps; ++i) range.add(curve.value(curve.range.low + curve.range.length() * i / steps));
-  for (const CurveKey& key : curve.keys) range.add(key.value);
+  const auto is_shown = [&](double x) { return x >= shown.low && x <= shown.high; };
+  for (const Vec2& point : line) range.add(point.y);
+  for (std::size_t i = 0; i < curve.samples.size(); ++i)
+    if (is_shown(curve.times[i])) range.add(curve.samples[i]);
+  for (const CurveKey& key : curve.keys)
+    if (is_shown(key.seconds)) range.add(key.value);
   return range.widened(0.10, 2.0);
 }
 
@@ -93,7 +108,7 @@ void draw_keys(ImDrawList& draw, const PlottedCurve& curve, const PlotScale& sca
 /// How far the samples are from the curve, in a strip of its own.
 void draw_residual(ImDrawList& draw, const PlottedCurve& curve, PlotScale scale, float top) {
   PlotRange range;
-  for (std::size_t i = 0; i < curve.times.size(); ++i) range.add(curve.samples[i] - curve.value(curve.times[i]));
+  for (const double residual : curve.residuals) range.add(residual);
   const double most = std::max({std::abs(range.low), std::abs(range.high), 1e-3});
   scale.y = PlotRange{-most, most}.widened(0.1, 0.0);
   scale.corner.y = top;
@@ -101,10 +116,10 @@ void draw_residual(ImDrawList& draw, const PlottedCurve& curve, PlotScale scale,
   draw_ground(draw, scale, "", false);
   draw.PushClipRect(pixel(scale.corner), pixel(scale.corner + scale.size), true);
   for (std::size_t i = 0; i < curve.times.size(); ++i)
-    draw.PathLineTo(pixel(scale.to_pixel(curve.times[i], curve.samples[i] - curve.value(curve.times[i]))));
+    draw.PathLineTo(pixel(scale.to_pixel(curve.times[i], curve.residuals[i])));
   draw.PathStroke(residual_colour, 0, 1.2f);
   draw.PopClipRect();
-  draw_caption(draw, pixel(scale.corner), "residual");
+  draw_caption(draw, scale, "residual");
 }
 
 /// The key or handle under the pointer.
@@ -116,7 +131,7 @@ std::optional<MotionPanel::Drag> grasped(const PlottedCurve& curve, const PlotSc
     const double to_handle = curve.has_slopes ? glm::distance(pointer, handle_of(scale, curve.keys[i])) : INFINITY;
     if (std::min(to_key, to_handle) > nearest) continue;
     nearest = std::min(to_key, to_handle);
-    found = MotionPanel::Drag{i, to_handle < to_key, scale};
+    found = MotionPanel::Drag{i, to_handle < to_key, scale, {curve.keys[i].seconds, curve.keys[i].value}};
   }
   return found;
 }
@@ -148,6 +163,10 @@ PlotAction take_pointer(const PlottedCurve& curve, const PlotScale& shown, std::
     action.key = drag->key;
     action.x = drag->scale.x_of(pointer.x);
     action.value = drag->scale.y_of(pointer.y);
+    const double away = std::abs(pointer.x - drag->scale.to_pixel(drag->from.x, drag->from.y).x);
+    drag->in_time = drag->in_time || (!drag->slope && (io.KeyShift || away > time_pixels));
+    action.in_time = drag->in_time;
+    if (io.KeyShift && !drag->slope) action.value = drag->from.y;
     action.kind = drag->slope ? PlotAction::Kind::set_slope : PlotAction::Kind::set_value;
     const Vec2 way = pointer - drag->scale.to_pixel(curve.keys[drag->key].seconds, curve.keys[drag->key].value);
     // A handle stands to the right of its key; to the left of it a slope would jump.
@@ -175,7 +194,7 @@ PlotAction take_pointer(const PlottedCurve& curve, const PlotScale& shown, std::
 PlotAction draw_plot(const PlottedCurve& curve, MotionPanel& panel) {
   std::optional<MotionPanel::Drag>& drag = panel.drag;
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float below = bottom_margin + (curve.has_residual ? residual_height + gap : 0.0f);
+  const float below = bottom_margin + (curve.residuals.empty() ? 0.0f : residual_height + gap);
   if (room.x < left_margin + 60.0f || room.y < below + 40.0f) return {};
   PlotScale scale;
   scale.corner = {at.x + left_margin, at.y};
@@ -184,7 +203,8 @@ PlotAction draw_plot(const PlottedCurve& curve, MotionPanel& panel) {
   const bool fits = panel.zoom && panel.zoom->low >= whole.low && panel.zoom->high <= whole.high;
   if (!fits) panel.zoom.reset();  // another curve
   scale.x = panel.zoom.value_or(whole);
-  scale.y = drag ? drag->scale.y : values_of(curve);
+  const std::vector<Vec2> line = line_of(curve, scale);
+  scale.y = drag ? drag->scale.y : values_of(curve, line, scale.x);
   ImGui::InvisibleButton("plot", room);
   const PlotAction action = take_pointer(curve, scale, drag);
   take_wheel(scale, whole, panel.zoom);
@@ -202,11 +222,11 @@ PlotAction draw_plot(const PlottedCurve& curve, MotionPanel& panel) {
     const ImVec2 dot = pixel(scale.to_pixel(curve.times[i], curve.samples[i]));
     draw.AddRectFilled({dot.x - 1.5f, dot.y - 1.5f}, {dot.x + 1.5f, dot.y + 1.5f}, dot_colour);
   }
-  draw_line(draw, scale, curve.value, curve_colour);
+  draw_line(draw, scale, line, curve_colour);
   draw_keys(draw, curve, scale);
   draw.PopClipRect();
-  draw_caption(draw, low, curve.caption);
-  if (curve.has_residual) draw_residual(draw, curve, scale, high.y + bottom_margin + gap);
+  draw_caption(draw, scale, curve.caption);
+  if (!curve.residuals.empty()) draw_residual(draw, curve, scale, high.y + bottom_margin + gap);
   return action;
 }
 

@@ -12,12 +12,12 @@ namespace sinew {
 /// What is plotted.
 struct PlottedCurve {
   std::span<const double> times, samples;  ///< dots; none where empty
+  std::span<const double> residuals;       ///< samples less curve, in a strip of their own; none where empty
   std::function<double(double)> value;     ///< of the curve
   std::vector<CurveKey> keys;
   bool has_slopes = false;  ///< keys have handles for their slopes
-  bool has_residual = false;
-  PlotRange range;   ///< of x
-  double now = 0.0;  ///< what is shown in the picture
+  PlotRange range;          ///< of x
+  double now = 0.0;         ///< what is shown in the picture
   const char* unit = "s";
   std::string caption;  ///< stands in the plot
 };
@@ -26,7 +26,8 @@ struct PlottedCurve {
 struct PlotAction {
   enum class Kind { none, set_value, set_slope, add, remove, released } kind = Kind::none;
   std::size_t key = 0;
-  double x = 0.0, value = 0.0;  ///< where the pointer is
+  double x = 0.0, value = 0.0;  ///< where the pointer is; of a key: where it goes
+  bool in_time = false;         ///< the key goes to another time, too
   double slope = 0.0;
 };
 

@@ -88,17 +88,43 @@ Result<Touched> Document::show(const Scene& scene) {
     stage_.scene = scene;
     return what;
   }
+  const std::optional<Bounds> bounds = stage_.bounds;
   const auto put = what == Touched::muscles ? restage_muscles : restage;
   if (auto ok = put(stage_, scene, options_); !ok) return pass_on(std::move(ok));
+  stage_.bounds = bounds;
   return what;
+}
+
+void Document::remember(const Scene& scene, std::size_t kept) {
+  const auto first = edits_.begin() + static_cast<std::ptrdiff_t>(kept);
+  before_ = Before{scene, options_, kept, {first, edits_.end()}, done_, saved_at_, merging_};
+  ++revision_;
+}
+
+Result<void> Document::take_back() {
+  if (!before_) return {};
+  Before before = *std::exchange(before_, std::nullopt);
+  options_ = before.options;
+  stage_.strength = options_.strength;
+  const Camera camera = stage_.scene.camera;
+  if (auto shown = show(before.scene); !shown) return pass_on(std::move(shown));
+  stage_.scene.camera = camera;
+  edits_.resize(before.kept);
+  edits_.insert(edits_.end(), before.edits.begin(), before.edits.end());
+  done_ = before.done;
+  saved_at_ = before.saved_at;
+  merging_ = before.merging;
+  ++revision_;
+  return {};
 }
 
 Result<Touched> Document::edit(Scene scene, std::string label, const std::string& merge) {
   if (scene == stage_.scene) return Touched::look;
   Scene before = stage_.scene;
+  const bool merges = !merge.empty() && merge == merging_ && done_ > 0 && done_ == edits_.size() && done_ != saved_at_;
   auto what = show(scene);
   if (!what) return what;
-  const bool merges = !merge.empty() && merge == merging_ && done_ > 0 && done_ == edits_.size() && done_ != saved_at_;
+  remember(before, merges ? done_ - 1 : done_);
   if (saved_at_ > done_) saved_at_ = static_cast<std::size_t>(-1);  // what was saved can no longer be come back to
   edits_.resize(done_);
   if (merges)
@@ -113,26 +139,43 @@ Result<Touched> Document::edit(Scene scene, std::string label, const std::string
 void Document::move_camera(const Camera& camera) { stage_.scene.camera = camera; }
 
 void Document::set_options(Deformer deformer, BulgeMode bulge, double strength) {
+  remember(stage_.scene, edits_.size());
   options_.deformer = deformer;
   options_.bulge = bulge;
   options_.strength = stage_.strength = strength;
 }
 
+Scene Document::undo_scene() const {
+  Scene scene = can_undo() ? edits_[done_ - 1].before : stage_.scene;
+  scene.camera = stage_.scene.camera;
+  return scene;
+}
+
+Scene Document::redo_scene() const {
+  Scene scene = can_redo() ? edits_[done_].after : stage_.scene;
+  scene.camera = stage_.scene.camera;
+  return scene;
+}
+
 Result<Touched> Document::undo() {
   if (!can_undo()) return Touched::look;
-  Scene scene = edits_[done_ - 1].before;
-  scene.camera = stage_.scene.camera;
-  auto what = show(scene);
-  if (what) --done_, merging_.clear();
+  const Scene now = stage_.scene;
+  auto what = show(undo_scene());
+  if (!what) return what;
+  remember(now, edits_.size());
+  --done_;
+  merging_.clear();
   return what;
 }
 
 Result<Touched> Document::redo() {
   if (!can_redo()) return Touched::look;
-  Scene scene = edits_[done_].after;
-  scene.camera = stage_.scene.camera;
-  auto what = show(scene);
-  if (what) ++done_, merging_.clear();
+  const Scene now = stage_.scene;
+  auto what = show(redo_scene());
+  if (!what) return what;
+  remember(now, edits_.size());
+  ++done_;
+  merging_.clear();
   return what;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/stage.h"
+#include "engine/app/stage_parts.h"
 
 namespace sinew {
 
@@ -31,6 +31,7 @@ class Document {
   /// Ends a run of edits that merge.
   void seal() { merging_.clear(); }
   bool is_merging() const { return !merging_.empty(); }
+  const std::string& merging() const { return merging_; }
   /// Moves the camera: saved with the scene, not undone.
   void move_camera(const Camera& camera);
 
@@ -41,9 +42,18 @@ class Document {
   std::string redo_label() const { return can_redo() ? edits_[done_].label : ""; }
   Result<Touched> undo();
   Result<Touched> redo();
+  /// The scenes that they show, where there is something to undo or to redo.
+  Scene undo_scene() const;
+  Scene redo_scene() const;
+  /// Takes the last edit(), undo(), redo() or set_options() back, as if it had not been: what it shows cannot be shown.
+  Result<void> take_back();
+  /// Another number after every change of the scene, the camera's apart.
+  std::size_t revision() const { return revision_; }
 
-  /// A model for scenes to come, which edit() then need not read or draw: ready_character().
-  void lend(StagedCharacter ready) { stage_.spare.insert(stage_.spare.begin(), std::move(ready)); }
+  /// Parts for scenes to come, which edit() then need not make.
+  void lend(StageParts parts) { sinew::lend(std::move(parts), stage_); }
+  /// stage_bounds() of the stage as it is; until then those before the last edits hold.
+  void set_bounds(const Bounds& bounds) { stage_.bounds = bounds; }
 
   /// Another deformer, bulge mode or strength, which no scene holds: not undone. Everything is to be made anew.
   void set_options(Deformer deformer, BulgeMode bulge, double strength);
@@ -59,6 +69,16 @@ class Document {
     Scene before, after;
   };
   Document(Stage stage, SceneOptions options) : stage_(std::move(stage)), options_(std::move(options)) {}
+  /// What take_back() goes back to.
+  struct Before {
+    Scene scene;
+    SceneOptions options;
+    std::size_t kept = 0;     ///< edits that stay
+    std::vector<Edit> edits;  ///< after those
+    std::size_t done = 0, saved_at = 0;
+    std::string merging;
+  };
+  void remember(const Scene& scene, std::size_t kept);
   Result<Touched> show(const Scene& scene);
 
   Stage stage_;
@@ -67,6 +87,8 @@ class Document {
   std::size_t done_ = 0;      ///< edits that are in force
   std::size_t saved_at_ = 0;  ///< value of done_ when the file was written
   std::string merging_;
+  std::optional<Before> before_;
+  std::size_t revision_ = 0;
 };
 
 /// Sets a joint's angles at a frame: the one value of a joint that rests, else a key there, between keys of its own.

@@ -7,6 +7,10 @@
 namespace sinew {
 namespace {
 
+bool asks_for_all(const ClipQuery& query) {
+  return query.name.empty() && query.tag.empty() && query.emotion.empty() && !query.longest && !query.shortest;
+}
+
 Result<StoredClip> load(const std::filesystem::path& file, const std::string& name) {
   const auto library = MotionLibrary::open(file, false);
   if (!library) return tl::unexpected<Error>(library.error());
@@ -35,6 +39,7 @@ void MotionBrowser::use_library(const std::filesystem::path& library) {
   const std::filesystem::path wanted = library.empty() ? default_library() : library;
   if (listed_ && wanted == library_) return;
   library_ = wanted;
+  tags_stale_ = true;
   task_.cancel();
   clip_.reset();
   editor_.reset();
@@ -50,15 +55,22 @@ void MotionBrowser::refresh() {
     trouble_ = library.error().message;
     return;
   }
-  auto all = library->list();
   auto found = library->list(query);
-  if (!all || !found) {
-    trouble_ = (!all ? all : found).error().message;
+  if (!found) {
+    trouble_ = found.error().message;
     return;
   }
-  std::set<std::string> tags;
-  for (const ClipEntry& clip : *all) tags.insert(clip.tags.begin(), clip.tags.end());
-  tags_.assign(tags.begin(), tags.end());
+  if (tags_stale_) {
+    const auto all = asks_for_all(query) ? found : library->list();
+    if (!all) {
+      trouble_ = all.error().message;
+      return;
+    }
+    std::set<std::string> tags;
+    for (const ClipEntry& clip : *all) tags.insert(clip.tags.begin(), clip.tags.end());
+    tags_.assign(tags.begin(), tags.end());
+    tags_stale_ = false;
+  }
   clips_ = std::move(*found);
 }
 
@@ -94,6 +106,7 @@ bool MotionBrowser::poll() {
     news_ = News{task_.what() + ": " + error.message, error.kind != ErrorKind::interrupted, ""};
     return true;
   }
+  tags_stale_ = true;
   StoredClip& clip = **outcome;
   const std::string name = clip.entry.name;
   clip_ = std::make_unique<StoredClip>(clip);

@@ -33,8 +33,7 @@ class MotionBrowser {
   /// Adds the open clip with its edits to the library under another name, and opens that.
   void save_as(const std::string& name);
 
-  const Task<StoredClip>& task() const { return task_; }
-  void cancel() { task_.cancel(); }
+  Task<StoredClip>& task() { return task_; }
   /// Takes in what was done beside the window; true where anything is different now.
   bool poll();
 
@@ -52,7 +51,7 @@ class MotionBrowser {
 
  private:
   std::filesystem::path library_;
-  bool listed_ = false;
+  bool listed_ = false, tags_stale_ = true;
   std::vector<ClipEntry> clips_;
   std::vector<std::string> tags_;
   std::string trouble_;

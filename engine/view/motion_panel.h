@@ -27,7 +27,9 @@ struct MotionPanel {
   struct Drag {
     std::size_t key = 0;
     bool slope = false;
-    PlotScale scale;  ///< as it was when the drag began: what moves under the pointer cannot be aimed with
+    PlotScale scale;       ///< as it was when the drag began: what moves under the pointer cannot be aimed with
+    Vec2 from{0.0};        ///< the key in the plot's units as it was then
+    bool in_time = false;  ///< it has gone so far along the time that this is meant
   };
   std::optional<Drag> drag;
   std::optional<PlotRange> zoom;  ///< the part of the time that is shown; absent: all

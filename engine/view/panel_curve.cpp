@@ -3,6 +3,7 @@
 
 #include "engine/view/curve_plot_panel.h"
 #include "engine/view/panel_parts.h"
+#include "engine/view/track_edit.h"
 
 namespace sinew {
 namespace {
@@ -20,18 +21,6 @@ void tell(ViewState& state, const Result<void>& done) {
   if (done) return;
   state.message = done.error().message;
   state.is_error = true;
-}
-
-/// What runs beside the window, with its progress and a way to stop it; true where anything does.
-bool draw_task(MotionBrowser& browser) {
-  if (!browser.task().running()) return false;
-  ImGui::AlignTextToFramePadding();
-  ImGui::Text("%s ...", browser.task().what().c_str());
-  ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(browser.task().share()), {160.0f, 0.0f});
-  ImGui::SameLine();
-  if (ImGui::Button("Stop")) browser.cancel();
-  return true;
 }
 
 void draw_fit(MotionPanel& panel) {
@@ -73,7 +62,8 @@ void take_action(const PlotAction& action, ClipEditor& editor, const CurveChoice
   const PiecewisePolynomial& curve = editor.curve(choice);
   switch (action.kind) {
     case Kind::set_value:
-      tell(state, editor.set_key(choice, action.key, action.value));
+      tell(state, editor.set_key(choice, action.key, action.value, {},
+                                 action.in_time ? std::optional(action.x) : std::nullopt));
       break;
     case Kind::set_slope:
       tell(state, editor.set_key(choice, action.key, curve_keys(curve)[action.key].value, action.slope));
@@ -97,13 +87,16 @@ double clip_seconds(const Document& document, const ViewState& state) {
   const Scene& scene = document.scene();
   if (state.character >= scene.characters.size()) return 0.0;
   const MotionUse use = scene.characters[state.character].motion.value_or(MotionUse{});
-  return (state.playback.shown() - use.start) / scene.fps * use.speed;
+  return motion_seconds(use, state.playback.shown(), scene.fps);
 }
 
 void draw_clip(const Document& document, ViewState& state) {
   MotionPanel& panel = state.motion;
   const StoredClip* clip = panel.browser.clip();
-  if (draw_task(panel.browser)) return;
+  if (panel.browser.task().running()) {
+    ImGui::TextDisabled("%s ...", panel.browser.task().what().c_str());
+    return;
+  }
   if (clip == nullptr) {
     ImGui::TextDisabled("choose a clip to see its curves; double click it and the character plays it");
     return;
@@ -125,12 +118,13 @@ void draw_clip(const Document& document, ViewState& state) {
   plotted.samples = editor->samples(panel.choice);
   plotted.value = [&](double seconds) { return curve.value(seconds); };
   plotted.keys = curve_keys(curve);
-  plotted.has_slopes = plotted.has_residual = true;
+  plotted.has_slopes = true;
+  const ClipEditor::Residual& residual = editor->residual(panel.choice);
+  plotted.residuals = residual.values;
   plotted.range = {curve.begin(), curve.end()};
   plotted.now = clip_seconds(document, state);
-  plotted.caption =
-      fmt::format("{} segments, degree {}, off by {:.2f} deg, {:.2f} at most", curve.segments(), curve.degree(),
-                  editor->rms_residual(panel.choice), editor->largest_residual(panel.choice));
+  plotted.caption = fmt::format("{} segments, degree {}, off by {:.2f} deg, {:.2f} at most", curve.segments(),
+                                curve.degree(), residual.rms, residual.largest);
   take_action(draw_plot(plotted, panel), *editor, panel.choice, state);
 }
 
@@ -164,7 +158,7 @@ void draw_keys(const Document& document, ViewState& state) {
   for (const Key<Vec3>& key : keyed.keys) plotted.range.add(key.frame);
   plotted.now = state.playback.shown();
   plotted.unit = "frame";
-  plotted.caption = "drag keys; double click adds one, right click takes one away";
+  plotted.caption = "drag keys, with Shift along the time alone; double click adds one, right click takes one away";
   const PlotAction action = draw_plot(plotted, panel);
   const auto set_number = [&](double frame) {
     return [&, frame](Character& changed) {
@@ -176,7 +170,11 @@ void draw_keys(const Document& document, ViewState& state) {
   using Kind = PlotAction::Kind;
   if (action.kind == Kind::set_value)
     ask_for_keys(document, state, "turn ", fmt::format("key {} {} {}", state.joint, panel.axis, action.key),
-                 set_number(keyed.keys[action.key].frame));
+                 [&](Character& changed) {
+                   Keyed<Vec3>& moved = changed.keys.at(state.joint);
+                   moved.keys[action.key].value[panel.axis] = action.value;
+                   if (action.in_time) move_key(moved, action.key, std::round(action.x));
+                 });
   if (action.kind == Kind::add) ask_for_keys(document, state, "key for ", "", set_number(std::round(action.x)));
   if (action.kind == Kind::remove)
     ask_for_keys(document, state, "no key for ", "",

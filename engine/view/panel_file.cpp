@@ -72,16 +72,11 @@ void draw_saving(ViewState& state) {
 }
 
 void draw_recording(ViewState& state) {
-  if (!state.recorded) {
-    draw_name("##film", state.film);
-    if (ImGui::Button("Record", {-1.0f, 0.0f})) state.record = true;
-    show_tip("Ctrl+R: all frames, as sinew render does: .mp4, .webm, .gif, or pictures x_####.png");
-    return;
-  }
-  ImGui::ProgressBar(static_cast<float>(*state.recorded), {ImGui::GetContentRegionAvail().x - buttons_width, 0.0f});
-  ImGui::SameLine();
-  if (ImGui::Button("Stop", {-1.0f, 0.0f})) state.stop_recording = true;
-  show_tip("stops recording; no film is left");
+  ImGui::BeginDisabled(state.records);
+  draw_name("##film", state.film);
+  if (ImGui::Button("Record", {-1.0f, 0.0f})) state.record = true;
+  ImGui::EndDisabled();
+  show_tip("Ctrl+R: all frames, as sinew render does: .mp4, .webm, .gif, or pictures x_####.png");
 }
 
 void draw_disk_change(ViewState& state) {

@@ -40,8 +40,8 @@ void draw_query(MotionBrowser& browser) {
 }
 
 std::string told(const ClipEntry& clip) {
-  std::string text =
-      fmt::format("{} frames, {} joints, {}", clip.frames, clip.joints, clip.fitted ? "fitted" : "samples only");
+  std::string text = fmt::format("{}\n{} frames, {} joints, {}", clip.name, clip.frames, clip.joints,
+                                 clip.fitted ? "fitted" : "samples only");
   if (!clip.tags.empty()) text += fmt::format("\ntags: {}", fmt::join(clip.tags, ", "));
   if (!clip.emotion.empty()) text += "\nemotion: " + clip.emotion;
   if (!clip.parent.empty()) text += "\nmade from: " + clip.parent;
@@ -61,15 +61,18 @@ void draw_list(const Document& document, ViewState& state) {
   std::string opened, played;
   for (const ClipEntry& clip : browser.clips()) {
     const bool chosen = browser.clip() != nullptr && browser.clip()->entry.name == clip.name;
-    if (ImGui::Selectable(clip.name.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
+    const std::string length = fmt::format("{:.1f} s", clip.duration());
+    const float length_width = ImGui::CalcTextSize(length.c_str()).x;
+    const float room = ImGui::GetContentRegionAvail().x - length_width - ImGui::GetStyle().ItemSpacing.x;
+    const std::string name = fitted_text(clip.name, room) + "##" + clip.name;
+    if (ImGui::Selectable(name.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
       if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         played = clip.name;
       else if (!chosen)
         opened = clip.name;
     }
     show_tip(told(clip));
-    const std::string length = fmt::format("{:.1f} s", clip.duration());
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(length.c_str()).x);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - length_width);
     ImGui::TextDisabled("%s", length.c_str());
   }
   if (!opened.empty()) browser.open(opened);
@@ -86,8 +89,10 @@ void draw_settings(const Document& document, ViewState& state) {
     return;
   }
   const auto* clip = std::get_if<LibraryClip>(&use->source);
-  ImGui::Text("plays %s", clip ? clip->name.c_str() : std::get<MotionFile>(use->source).path.filename().c_str());
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 64.0f);
+  constexpr float remove_width = 64.0f;
+  show_fitted("plays " + (clip ? clip->name : std::get<MotionFile>(use->source).path.filename().string()),
+              ImGui::GetContentRegionAvail().x - remove_width - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - remove_width);
   if (ImGui::SmallButton("remove")) {
     Scene changed = scene;
     changed.characters[state.character].motion.reset();

@@ -127,6 +127,7 @@ void draw_panels(const Document& document, ViewState& state) {
     if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) draw_look(document, state);
     if (ImGui::CollapsingHeader("Deformer", ImGuiTreeNodeFlags_DefaultOpen)) draw_deformer(document, state);
     if (ImGui::CollapsingHeader("Muscles", ImGuiTreeNodeFlags_DefaultOpen)) draw_muscles(document, state);
+    draw_skin(document, state);
   }
   ImGui::End();
   if (begin_panel(state, "act", {whole.x - side_width, 0.0f}, {side_width, height})) draw_acting(document, state);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@
 #include "engine/view/listed_joints.h"
 #include "engine/view/motion_panel.h"
 #include "engine/view/playback.h"
+#include "engine/view/skin_panel.h"
+#include "engine/view/task.h"
 #include "engine/view/window_picture.h"
 
 namespace sinew {
@@ -45,6 +48,7 @@ struct ViewState {
   std::vector<DockedPanel> docked;        ///< that were drawn, in units
   PixelBox picture;                       ///< what they left to the picture in the frame before, likewise
   MotionPanel motion;
+  SkinPanel skin;
 
   // Files: viewer_files.cpp.
   std::filesystem::path folder;             ///< where a file was last opened or saved
@@ -52,9 +56,9 @@ struct ViewState {
   std::string open_field;                   ///< name in the open field
   bool changed_on_disk = false;             ///< the scene's file is newer than the edits that are shown
   std::string film;                         ///< name in the record field
-  std::optional<double> recorded;           ///< share of the film that is being recorded
+  bool records = false;                     ///< a film is being recorded
   bool replacing = false, replace = false;  ///< the user is asked whether a file may be replaced; the answer is yes
-  bool reload = false, record = false, stop_recording = false, toggle_projection = false;
+  bool reload = false, record = false, toggle_projection = false;
 
   /// A handle of the face that is being dragged, and all as it was before.
   struct FaceDrag {
@@ -89,5 +93,8 @@ void set_style();
 
 /// Draws all panels for this frame.
 void draw_panels(const Document& document, ViewState& state);
+
+/// What runs beside the window, each with its progress and a way to stop it, over the picture's lower edge.
+void draw_works(std::span<WorkBeside* const> works, const ViewState& state);
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 /// key is asked for.
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/model/keyed.h"
 
@@ -31,6 +32,14 @@ void set_value(Keyed<T>& track, double frame, T value) {
     track.keys.front().value = std::move(value);
   else
     put_key(track, frame, std::move(value));
+}
+
+/// Moves a key to another frame, held a frame away from its neighbours; where there is no room it stays.
+template <class T>
+void move_key(Keyed<T>& track, std::size_t key, double frame) {
+  const double low = key > 0 ? track.keys[key - 1].frame + 1.0 : -INFINITY;
+  const double high = key + 1 < track.keys.size() ? track.keys[key + 1].frame - 1.0 : INFINITY;
+  if (low <= high) track.keys[key].frame = std::clamp(frame, low, high);
 }
 
 /// Takes the key at a frame away; true where that was the last one.

@@ -49,7 +49,10 @@ Result<void> ViewerSession::open(const SceneOptions& scene, std::vector<std::str
   auto stage = open_stage(scene);
   if (!stage) return pass_on(std::move(stage));
   problems.insert(problems.end(), stage->problems.begin(), stage->problems.end());
-  return show_stage(std::move(*stage), scene, problems);
+  stage->bounds = stage_bounds(*stage);
+  if (auto ok = show_stage(std::move(*stage), scene, problems); !ok) return ok;
+  if (const std::string unbound = without_skin(); !unbound.empty()) say(unbound);
+  return {};
 }
 
 Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, std::vector<std::string>& problems) {
@@ -57,7 +60,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   if (!document) return pass_on(std::move(document));
   auto shown = std::make_unique<Shown>(std::move(*document));
   if (auto ok = make_pictures(*shown, problems); !ok) return ok;
-  heads_.drop();
+  edits_.drop();
   shown_ = std::move(shown);
   // What was being dragged, asked for or singled out belongs to what was shown before.
   tools_ = {};
@@ -71,7 +74,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   own_file_ = of_file ? scene.scene : "";
   state_.film = std::filesystem::path(state_.save_as).replace_extension(".mp4").string();
   disk_.watch(of_file ? scene.scene : "");
-  state_.changed_on_disk = false;
+  state_.changed_on_disk = bounds_stale_ = false;
   camera_in_file_ = this->document().scene().camera;
   if (!scene.scene.empty() && !is_built_in_model(scene.scene)) remember(scene.scene);
   state_.joint.clear();
@@ -86,10 +89,9 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
 Result<void> ViewerSession::follow(Touched what) {
   stale_ = true;
   state_.playback.set_range(document().stage().range);
-  if (what == Touched::poses) bounds_stale_ = true;
   if (what == Touched::muscles) return shown_->picture->follow_muscles();
+  bounds_stale_ = bounds_stale_ || what != Touched::look;
   if (what != Touched::all) return {};
-  bounds_stale_ = false;
   std::vector<std::string> problems;
   return make_pictures(*shown_, problems);
 }
@@ -100,6 +102,7 @@ Result<void> ViewerSession::show_frame(Window& window) {
   take_pointer();
   take_keys(window);
   draw_panels(document(), state_);
+  draw_works(works(), state_);
   take_requests(window);
   const PixelBox place = picture_place(window.pixels_per_unit());
   if (auto ok = fit_picture({place.right - place.left, place.bottom - place.top}); !ok) return ok;

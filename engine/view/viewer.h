@@ -3,6 +3,7 @@
 
 #include "engine/app/frame.h"
 #include "engine/gpu/device.h"
+#include "engine/view/shader_reload.h"
 #include "engine/view/window.h"
 
 namespace sinew {
@@ -12,8 +13,9 @@ struct ViewerOptions {
   LookOptions look;  ///< its size is the window's
   int frames = 0;    ///< shows so many frames and ends; 0: until the window is closed
   bool uncapped = false;
-  bool size_given = false;  ///< else the window is as large as it was last
-  DeviceOptions device;     ///< of the devices that record films beside the window
+  bool size_given = false;   ///< else the window is as large as it was last
+  DeviceOptions device;      ///< of the devices that record films beside the window
+  ShaderBuild shaders = {};  ///< where shaders are compiled anew; a measured run keeps its own
 };
 
 struct ViewerReport {

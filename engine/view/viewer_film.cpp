@@ -6,6 +6,7 @@
 namespace sinew {
 
 void ViewerSession::start_recording() {
+  if (recording_.running()) return;
   Recording recording;
   recording.scene = document().scene();
   recording.source = state_.file;
@@ -18,21 +19,21 @@ void ViewerSession::start_recording() {
   recording.device = options_.device;
   if (std::filesystem::path(state_.film).extension() == ".png" && state_.film.find('#') == std::string::npos)
     recording.options.frames = std::vector{state_.playback.shown()};
-  if (recording_.start(state_.film, [recording](TaskWatch& watch) { return record(recording, watch); }))
+  recorded_ = state_.film;
+  const std::string name = std::filesystem::path(state_.film).filename().string();
+  if (recording_.start("recording " + name, [recording](TaskWatch& watch) { return record(recording, watch); }))
     say("recording " + state_.film + " ...");
 }
 
 void ViewerSession::follow_recording() {
   if (std::exchange(state_.record, false)) start_recording();
-  if (std::exchange(state_.stop_recording, false)) recording_.cancel();
-  state_.recorded = recording_.running() ? std::optional(recording_.share()) : std::nullopt;
   const auto done = recording_.take();
+  state_.records = recording_.running();
   if (!done) return;
-  state_.recorded.reset();
   if (*done)
-    say(fmt::format("{} written: {} frames", recording_.what(), (*done)->frames.size()));
+    say(fmt::format("{} written: {} frames", recorded_, (*done)->frames.size()));
   else if (done->error().kind == ErrorKind::interrupted)
-    say(recording_.what() + ": stopped, nothing is written");
+    say(recorded_ + ": stopped, nothing is written");
   else
     say(done->error());
 }

@@ -1,16 +1,17 @@
 #pragma once
 /// One run of the viewer, from the first scene opened to the window closed. Private to the viewer's own sources.
 
-#include <future>
 #include <memory>
 
+#include "engine/app/bind_mesh.h"
+#include "engine/view/edit_work.h"
 #include "engine/view/file_watch.h"
 #include "engine/view/film_recorder.h"
-#include "engine/view/head_work.h"
 #include "engine/view/orbit_camera.h"
 #include "engine/view/panels.h"
 #include "engine/view/picture_tools.h"
 #include "engine/view/preferences.h"
+#include "engine/view/shader_reload.h"
 #include "engine/view/viewer.h"
 #include "engine/view/window_picture.h"
 
@@ -22,7 +23,8 @@ bool is_scene_file(const std::string& file);
 /// What is shown in the window, and all that the user does with it.
 class ViewerSession {
  public:
-  ViewerSession(Device& device, const ViewerOptions& options) : device_(device), options_(options) {
+  ViewerSession(Device& device, const ViewerOptions& options)
+      : device_(device), options_(options), shaders_(options.frames == 0 ? options.shaders : ShaderBuild()) {
     state_.device = device.info().name + (device.info().cpu ? " (a CPU)" : "");
     state_.save_as = "scene.json";
   }
@@ -44,6 +46,7 @@ class ViewerSession {
   struct Shown {
     Document document;
     std::optional<WindowPicture> picture;
+    Task<Bounds> framing;  ///< finds the box of all frames
     explicit Shown(Document opened) : document(std::move(opened)) {}
   };
 
@@ -58,6 +61,10 @@ class ViewerSession {
   void take_key(const KeyPress& press, Window& window);
   void take_requests(Window& window);
   void take_edit(const Result<Touched>& done, const std::string& said);
+  void take_edits();
+  void take_step(bool back);
+  void follow_bounds(bool may_find);
+  bool bounds_known() const { return !bounds_stale_ && !shown_->framing.running(); }
   void look_from(const OrbitCamera& camera);
   void choose_view(View view);
   void toggle_projection();
@@ -66,13 +73,24 @@ class ViewerSession {
 
   // viewer_files.cpp
   void open_beside(const std::string& file);
+  void reload();
   void take_opened();
+  /// What to say of a model that nothing moves; empty where there is none.
+  std::string without_skin();
   bool follow_disk();
   void save();
   bool is_others_file() const;
   void take_file_requests(Window& window);
   void keep_preferences(const Window& window);
   void remember(const std::string& file);
+
+  // viewer_skin.cpp
+  void start_binding();
+  void follow_binding();
+
+  // viewer_shaders.cpp
+  void take_shaders();
+  Result<void> use_shaders(std::shared_ptr<const ShaderSet> shaders);
 
   // viewer_film.cpp
   void start_recording();
@@ -85,13 +103,13 @@ class ViewerSession {
   }
   void say(const Error& error) { say(error.message, true); }
   Result<void> show_frame(Window& window);
+  /// All that can run beside the window and be stopped.
+  std::vector<WorkBeside*> works();
   /// Where in the window the picture belongs, pixels; tells the panels.
   PixelBox picture_place(double pixels_per_unit);
   Result<void> fit_picture(const PictureSize& size);
   /// True while anything runs beside the window.
-  bool works_beside() const {
-    return opening_.valid() || heads_.is_busy() || recording_.running() || state_.motion.browser.task().running();
-  }
+  bool works_beside();
 
   Device& device_;
   ViewerOptions options_;
@@ -99,18 +117,27 @@ class ViewerSession {
   PictureSize size_;  ///< of the window, and of photos and films; pixels
   PictureSize seen_;  ///< of the picture in the window, which fills what the panels leave
   std::unique_ptr<Shown> shown_;
-  HeadWork heads_;
+  EditWork edits_;
   PictureTools tools_;
-  std::future<Result<Stage>> opening_;
+  Task<Stage> opening_;
   SceneOptions opening_options_;
-  bool reloading_ = false;  ///< what is being opened is the file that is shown
-  std::string own_file_;    ///< the scene file that was opened or saved last; empty: none
-  Camera camera_in_file_;   ///< as the file was opened
+  bool reloading_ = false;         ///< what is being opened is the file that is shown
+  std::size_t reloaded_over_ = 0;  ///< Document::revision() that it may take the place of
+  Camera camera_in_file_;          ///< as the file was opened
+  std::string own_file_;           ///< the scene file that was opened or saved last; empty: none
   FileWatch disk_;
+  struct BoundMesh {
+    AutomaticWeightReport report;
+    std::vector<std::string> problems;
+  };
+  Task<BoundMesh> binding_;
+  std::array<std::string, 2> bound_;  ///< the mesh that is bound, and the file that it becomes
+  ShaderReload shaders_;
   Task<CaptureReport> recording_;
+  std::string recorded_;  ///< file that it writes
   Preferences preferences_;
   std::filesystem::path preferences_file_;  ///< empty: none are kept
-  bool bounds_stale_ = false;               ///< the maker's bounds are those before the last poses
+  bool bounds_stale_ = false;               ///< the stage's bounds are those before the last edits
   bool stale_ = true;                       ///< the picture is not that of the document any more
   int drawn_frame_ = -1;
   ViewExtras drawn_extras_;

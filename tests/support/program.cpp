@@ -75,7 +75,7 @@ std::string shell_command(const Arguments& arguments) {
 }
 
 pid_t spawn(const Arguments& arguments, const ProgramOptions& options, int out, int err) {
-  std::vector<std::string> words{SINEW_PROGRAM};
+  std::vector<std::string> words{options.program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = environment_of(options);
   posix_spawn_file_actions_t actions;
@@ -88,10 +88,10 @@ pid_t spawn(const Arguments& arguments, const ProgramOptions& options, int out, 
   posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
   if (!options.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
   pid_t child = -1;
-  const int failed =
-      posix_spawn(&child, SINEW_PROGRAM, &actions, nullptr, pointers(words).data(), pointers(environment).data());
+  const int failed = posix_spawn(&child, words.front().c_str(), &actions, nullptr, pointers(words).data(),
+                                 pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error(std::string("cannot start ") + SINEW_PROGRAM);
+  if (failed != 0) throw std::runtime_error("cannot start " + words.front());
   // Of the child and not of the test, as it starts: long before it writes or takes much memory.
   const auto limit = [&](int resource, const std::optional<std::uint64_t>& bytes) {
     if (!bytes) return;
@@ -132,6 +132,8 @@ RunningProgram::~RunningProgram() {
   close(out_);
   close(err_);
 }
+
+std::string RunningProgram::said() const { return contents(err_); }
 
 void RunningProgram::send(int signal) const { kill(child_, signal); }
 

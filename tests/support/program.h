@@ -28,6 +28,7 @@ inline const std::string arm_scene = std::string(SINEW_SOURCE_DIR) + "/scenes/ar
 struct ProgramOptions {
   /// Over the test's own environment; nullopt takes a variable away.
   std::map<std::string, std::optional<std::string>> environment{};
+  std::filesystem::path program = SINEW_PROGRAM;
   std::filesystem::path folder{};                ///< working folder; empty: the test's own
   std::filesystem::path output{};                ///< where stdout goes instead of being captured
   std::chrono::milliseconds time_limit{60'000};  ///< after which the program is killed
@@ -58,6 +59,8 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send(int signal) const;
+  /// What it has written to stderr so far.
+  std::string said() const;
   pid_t id() const { return child_; }
   /// Waits for its end, at most until the time limit.
   ProgramResult finish();

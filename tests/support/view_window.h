@@ -101,6 +101,24 @@ class View : public ProgramTest {
     options.folder = path("");
     return options;
   }
+  /// The same, for the program as developers build it, which fails where memory was lost.
+  ProgramOptions in_checked_window() const {
+    ProgramOptions options = in_window();
+    options.program = SINEW_CHECKED_PROGRAM;
+    options.environment["LSAN_OPTIONS"] =
+        fmt::format("print_suppressions=0:suppressions={}/tests/support/leaks.supp", SINEW_SOURCE_DIR);
+    return options;
+  }
+  /// Skips the test, or fails it where nothing may be missing, where LeakSanitizer does not work: under a debugger, or
+  /// in a container that forbids it to look. Memory that is lost on purpose tells.
+  void find_leaks_or_skip() const {
+    ProgramOptions options = in_checked_window();
+    options.environment["SINEW_LOSE_MEMORY"] = "1";
+    const ProgramResult lost = run_program({"--version"}, options);
+    if (lost.err.find("detected memory leaks") != std::string::npos) return;
+    if (assets_required()) FAIL() << "SINEW_REQUIRE_ASSETS is 1, but lost memory is not found" << lost;
+    GTEST_SKIP() << "SKIPPED: LeakSanitizer does not work here" << lost;
+  }
   void act(const std::string& words) const {
     EXPECT_EQ(std::system(fmt::format("DISPLAY={} xdotool {} > /dev/null 2>&1", server_.display, words).c_str()), 0)
         << words;

@@ -96,6 +96,33 @@ TEST(Document, AnEditThatFailsChangesNothing) {
   EXPECT_FALSE(document.can_undo());
 }
 
+TEST(Document, AnEditThatCannotBeShownIsAsIfItHadNotBeen) {
+  Document document = opened();
+  ASSERT_TRUE(document.edit(turned(document, -90), "one"));
+  ASSERT_TRUE(document.edit(turned(document, -80), "two"));
+  ASSERT_TRUE(document.undo());
+  const Scene before = document.scene();
+  ASSERT_TRUE(document.edit(turned(document, -20), "other"));
+  ASSERT_TRUE(document.take_back());
+  EXPECT_EQ(document.scene(), before);
+  EXPECT_EQ(document.undo_label(), "one");
+  EXPECT_EQ(document.redo_label(), "two") << "what could be done again still can";
+  ASSERT_TRUE(document.redo());
+  ASSERT_TRUE(document.take_back());
+  EXPECT_EQ(document.scene(), before);
+  // Of a slider the last step alone.
+  ASSERT_TRUE(document.edit(turned(document, -10), "turn", "elbow"));
+  ASSERT_TRUE(document.edit(turned(document, -5), "turn", "elbow"));
+  ASSERT_TRUE(document.take_back());
+  EXPECT_DOUBLE_EQ(joint_degrees(document.scene().characters[0], "leftLowerArm", 0).y, -10.0);
+  ASSERT_TRUE(document.undo());
+  EXPECT_EQ(document.scene(), before);
+  document.set_options(Deformer::rigid, BulgeMode::off, 0.5);
+  ASSERT_TRUE(document.take_back());
+  EXPECT_EQ(document.options().deformer, Deformer::ssd);
+  EXPECT_DOUBLE_EQ(document.stage().strength, 1.0);
+}
+
 TEST(Document, TheCameraIsSavedButNotUndone) {
   Document document = opened();
   ASSERT_TRUE(document.edit(turned(document, -90), "turn"));

@@ -1,10 +1,8 @@
 #include "engine/view/face_edit.h"
 
 #include <random>
-#include <thread>
 
 #include "engine/view/face_picture.h"
-#include "engine/view/head_work.h"
 #include "tests/view/opened_document.h"
 
 namespace sinew::test {
@@ -148,68 +146,6 @@ TEST(FacePicture, StaysWithinItsFrame) {
       }
     }
   }
-}
-
-/// Waits for the heads that are being drawn.
-void finish(HeadWork& heads, Document& document) {
-  while (heads.is_busy()) {
-    const auto done = heads.finish(document);
-    if (done) {
-      ASSERT_TRUE(*done) << done->error().message;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-}
-
-TEST(HeadWork, AgesMergeIntoOneEditAndUndoNeedsNoDrawing) {
-  Document document = opened("builtin:head");
-  const Scene before = document.scene();
-  const Vec3 adult = document.stage().characters[0].mesh.positions[100];
-  HeadWork heads;
-  for (const double age : {0.2, 0.4, 0.6, 0.8}) {
-    Scene scene = document.scene();
-    set_head_age(scene.characters[0], 0.0, age);
-    ASSERT_TRUE(heads.take(document, scene, "age", "age"));
-    EXPECT_EQ(heads.wanted()->age.value_at(0.0), age);
-  }
-  heads.seal();
-  finish(heads, document);
-  EXPECT_EQ(document.scene().characters[0].head->age.value_at(0.0), 0.8) << "the latest";
-  EXPECT_NE(document.stage().characters[0].mesh.positions[100], adult);
-  EXPECT_FALSE(document.is_merging());
-  EXPECT_FALSE(needs_model(document.stage(), before.characters[0])) << "the first is spare";
-  ASSERT_TRUE(document.undo());
-  EXPECT_EQ(document.stage().characters[0].mesh.positions[100], adult);
-  EXPECT_FALSE(document.can_undo());
-}
-
-TEST(HeadWork, ASliderThatComesBackLeavesTheHeadThatWas) {
-  Document document = opened("builtin:head");
-  Scene scene = document.scene();
-  set_head_age(scene.characters[0], 0.0, 0.25);
-  ASSERT_TRUE(document.edit(scene, "age"));
-  const Vec3 before = document.stage().characters[0].mesh.positions[100];
-  HeadWork heads;
-  for (const double age : {0.5, 0.25}) {
-    set_head_age(scene.characters[0], 0.0, age);
-    ASSERT_TRUE(heads.take(document, scene, "age", "age"));
-  }
-  finish(heads, document);
-  EXPECT_EQ(document.stage().characters[0].mesh.positions[100], before);
-}
-
-TEST(HeadWork, LeavesOtherEditsAloneAndForgetsWhatIsDropped) {
-  Document document = opened("builtin:head");
-  HeadWork heads;
-  Scene scene = document.scene();
-  set_expression(scene.characters[0], 0.0, Expression::smile, 1.0);
-  EXPECT_FALSE(heads.take(document, scene, "smile", ""));
-  set_skull(scene.characters[0], "round", 0.5);
-  ASSERT_TRUE(heads.take(document, scene, "skull", ""));
-  heads.drop();
-  finish(heads, document);
-  EXPECT_FALSE(document.scene().characters[0].head);
-  EXPECT_FALSE(document.can_undo());
 }
 
 TEST(FaceEdit, SkullsOfEveryAgeAreHeads) {

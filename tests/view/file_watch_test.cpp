@@ -38,5 +38,28 @@ TEST(FileWatch, TellsEveryChangeOnce) {
   fs::remove(file);
 }
 
+TEST(FileWatch, TellsOfEveryFileInAFolder) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "file_watch_test";
+  fs::create_directories(folder);
+  ASSERT_TRUE(write_file(folder / "one.frag", std::string("one")));
+  ASSERT_TRUE(write_file(folder / "two.glsl", std::string("two")));
+  FileWatch watch;
+  watch.watch(folder);
+  EXPECT_FALSE(watch.has_changed());
+  ASSERT_TRUE(write_file(folder / "one.frag", std::string("one, changed")));
+  ASSERT_TRUE(write_file(folder / "two.glsl", std::string("two, changed")));
+  std::this_thread::sleep_for(long_enough);
+  EXPECT_TRUE(watch.has_changed());
+  std::this_thread::sleep_for(long_enough);
+  EXPECT_FALSE(watch.has_changed()) << "both were told at once";
+  ASSERT_TRUE(write_file(folder / "three.glsl", std::string("new")));
+  std::this_thread::sleep_for(long_enough);
+  EXPECT_TRUE(watch.has_changed());
+  fs::remove(folder / "three.glsl");
+  std::this_thread::sleep_for(long_enough);
+  EXPECT_FALSE(watch.has_changed()) << "an editor may be about to write it anew";
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace sinew::test
