@@ -98,14 +98,15 @@ void draw_replacing(ViewState& state) {
   draw_fitted_text(state.save_as, FittedEnd::last, open_width);
   ImGui::TextDisabled("exists, and was neither opened nor saved here.");
   ImGui::Spacing();
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
   const auto answer = [&](bool replace) {
     state.replacing = false;
     state.replace = replace;
     ImGui::CloseCurrentPopup();
   };
-  if (ImGui::Button("Replace", {120.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Enter, false)) answer(true);
+  if (ImGui::Button("Replace", {120.0f, 0.0f}) || pressed(ImGuiKey_Enter)) answer(true);
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {120.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer(false);
+  if (ImGui::Button("Cancel", {120.0f, 0.0f}) || pressed(ImGuiKey_Escape)) answer(false);
   ImGui::EndPopup();
 }
 

@@ -95,6 +95,7 @@ void set_style() {
   style.GrabMinSize = 6.0f;  // beside the values, not over them
   style.ItemSpacing = {8.0f, 6.0f};
   style.Colors[ImGuiCol_WindowBg] = {0.11f, 0.12f, 0.14f, 1.0f};
+  style.Colors[ImGuiCol_ModalWindowDimBg] = {0.0f, 0.0f, 0.0f, 0.45f};
   style.Colors[ImGuiCol_PopupBg] = {0.13f, 0.14f, 0.16f, 1.0f};
   style.Colors[ImGuiCol_FrameBg] = {0.20f, 0.22f, 0.25f, 1.0f};
   style.Colors[ImGuiCol_CheckMark] = {0.93f, 0.55f, 0.35f, 1.0f};

@@ -36,11 +36,11 @@ class ViewAct : public View {
 
 TEST_F(ViewAct, AFaceIsPulledAndGrowsYounger) {
   const nlohmann::json scene = after("builtin:head", [&] {
-    click(1051, 18);             // Face
-    drag(1130, 262, 1130, 284);  // the chin
-    drag(994, 384, 1048, 384);   // smile
-    drag(994, 534, 1123, 534);   // age
-    std::this_thread::sleep_for(2s);
+    click(1051, 18);                  // Face
+    drag(1130, 262, 1130, 284);       // the chin
+    drag(994, 384, 1048, 384);        // smile
+    drag(994, 534, 1123, 534);        // age
+    std::this_thread::sleep_for(8s);  // the head is drawn beside the window
     act("key p");
     std::this_thread::sleep_for(3s);
   });
