@@ -12,7 +12,7 @@ void add_motion_options(CLI::App& command, MotionWords& words) {
 }
 
 Result<MotionLibrary> open_library(const MotionWords& words, bool write) {
-  return MotionLibrary::open(words.library.empty() ? default_library() : std::filesystem::path(words.library), write);
+  return MotionLibrary::open(library_or_default(words.library), write);
 }
 
 nlohmann::ordered_json entry_json(const ClipEntry& entry) {

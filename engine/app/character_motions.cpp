@@ -3,23 +3,6 @@
 #include "engine/app/emotion_use.h"
 
 namespace sinew {
-namespace {
-
-std::filesystem::path library_file(const SceneOptions& options) {
-  return options.library.empty() ? default_library() : options.library;
-}
-
-Result<StagedMotion> make_motion(const MotionOrigin& origin, const StagedCharacter& character,
-                                 const SceneOptions& options, double fps, const TaskWatch& watch) {
-  if (std::holds_alternative<MotionChoice>(origin.asked))
-    return stage_motion(*character.scene.motion, options.library, *character.model, character.humanoid, watch);
-  const auto library = MotionLibrary::open(library_file(options), false);
-  if (!library) return tl::unexpected<Error>(library.error());
-  return stage_emotion(std::get<EmotionCue>(origin.asked), *library, fps, *character.model, character.humanoid);
-}
-
-}  // namespace
-
 SceneOptions options_of(const Scene& scene, SceneOptions options) {
   if (scene.library) options.library = *scene.library;
   return options;
@@ -30,11 +13,11 @@ std::vector<MotionOrigin> motion_origins(const Character& character, const Scene
   std::vector<MotionOrigin> origins;
   if (character.motion) {
     const auto* file = std::get_if<MotionFile>(&character.motion->source);
-    origins.push_back(
-        {character.motion->source, 0.0, file_state(file != nullptr ? file->path : library_file(options)), model_hash});
+    origins.push_back({character.motion->source, 0.0,
+                       file_state(file != nullptr ? file->path : library_or_default(options.library)), model_hash});
   }
   for (const EmotionCue& cue : character.emotion)
-    origins.push_back({cue, fps, file_state(library_file(options)), model_hash});
+    origins.push_back({cue, fps, file_state(library_or_default(options.library)), model_hash});
   return origins;
 }
 
@@ -45,19 +28,28 @@ const StagedMotion* find_motion(const KnownMotions& known, const MotionOrigin& o
 
 Result<void> add_motions(StagedCharacter& character, const SceneOptions& options, double fps, const ScenePlace& place,
                          const KnownMotions& known, const TaskWatch& watch) {
+  std::optional<MotionLibrary> library;  // of the emotions
   for (const MotionOrigin& origin : motion_origins(character.scene, options, fps, character.model_hash)) {
-    const bool is_motion = std::holds_alternative<MotionChoice>(origin.asked);
     const StagedMotion* before = find_motion(known, origin);
-    auto made = before != nullptr ? Result<StagedMotion>(*before) : make_motion(origin, character, options, fps, watch);
-    if (!made)
-      return place.at(is_motion ? "/motion" : fmt::format("/emotion/{}", character.emotions.size()), std::move(made));
-    made->origin = origin;
-    if (!is_motion) {
+    Result<StagedMotion> made = before != nullptr ? *before : StagedMotion{};
+    if (const auto* cue = std::get_if<EmotionCue>(&origin.asked)) {
+      if (before == nullptr && !library) {
+        auto opened = MotionLibrary::open(library_or_default(options.library), false);
+        if (!opened) return place.at("/emotion", std::move(opened));
+        library = std::move(*opened);
+      }
+      if (before == nullptr) made = stage_emotion(*cue, *library, fps, *character.model, character.humanoid);
+      if (!made) return place.at(fmt::format("/emotion/{}", character.emotions.size()), std::move(made));
       character.emotions.push_back(std::move(*made));
+      character.emotions.back().origin = origin;
       continue;
     }
-    made->use = *character.scene.motion;
+    if (before == nullptr)
+      made = stage_motion(*character.scene.motion, options.library, *character.model, character.humanoid, watch);
+    if (!made) return place.at("/motion", std::move(made));
     character.motion = std::move(*made);
+    character.motion->use = *character.scene.motion;
+    character.motion->origin = origin;
   }
   return {};
 }

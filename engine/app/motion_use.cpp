@@ -30,7 +30,7 @@ bool is_motion_alone(const std::filesystem::path& file, std::span<const unsigned
 }
 
 Result<Motion> library_motion(const std::filesystem::path& library, const std::string& clip) {
-  const auto opened = MotionLibrary::open(library.empty() ? default_library() : library, false);
+  const auto opened = MotionLibrary::open(library_or_default(library), false);
   if (!opened) return tl::unexpected<Error>(opened.error());
   auto stored = opened->load(clip);
   if (!stored) return pass_on(std::move(stored));

@@ -1,4 +1,5 @@
 #include "engine/app/muscle_scene.h"
+#include "engine/app/stage_use.h"
 
 #include <algorithm>
 
@@ -31,7 +32,7 @@ std::string what_is_missing(const StagedCharacter& character, const std::vector<
 Result<std::vector<PlacedMuscle>> place_presets(const StagedCharacter& character, const PresetPlacing& placing,
                                                 std::vector<std::string>& problems) {
   const std::string model = character.scene.model.string();
-  const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
+  const PlacementContext context = placement_context(character);
   std::vector<PlacedMuscle> muscles;
   for (const MusclePreset preset : placing.presets) {
     std::vector<std::string> reasons;

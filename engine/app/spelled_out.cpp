@@ -1,4 +1,5 @@
 #include "engine/app/stage.h"
+#include "engine/app/stage_use.h"
 #include "engine/body/muscle_spec.h"
 
 namespace sinew {
@@ -8,7 +9,7 @@ Result<Scene> spelled_out_scene(const Stage& stage) {
   if (stage.is_scene) return scene;
   for (std::size_t i = 0; i < scene.characters.size(); ++i) {
     const StagedCharacter& character = stage.characters[i];
-    const PlacementContext context{*character.model, character.mesh, character.rest, character.humanoid};
+    const PlacementContext context = placement_context(character);
     Character& shown = scene.characters[i];
     if (character.clip >= 0) {
       const std::string& name = character.model->clips[static_cast<std::size_t>(character.clip)].name;

@@ -44,6 +44,10 @@ struct ClipQuery {
 
 /// $XDG_DATA_HOME/sinew/motions.db, else ~/.local/share/sinew/motions.db.
 std::filesystem::path default_library();
+/// The library of that name; the user's own where it is empty.
+inline std::filesystem::path library_or_default(const std::filesystem::path& library) {
+  return library.empty() ? default_library() : library;
+}
 
 class MotionLibrary {
  public:

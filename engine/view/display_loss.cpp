@@ -24,12 +24,15 @@ int end(Display*) {
 
 }  // namespace
 
-void at_display_loss(std::function<void()> last_words) {
+DisplayLoss::DisplayLoss(std::function<void()> last_words) {
   words = std::move(last_words);
   XSetIOErrorHandler(end);
 }
+
+DisplayLoss::~DisplayLoss() { words = nullptr; }
 #else
-void at_display_loss(std::function<void()>) {}
+DisplayLoss::DisplayLoss(std::function<void()>) {}
+DisplayLoss::~DisplayLoss() = default;
 #endif
 
 }  // namespace sinew

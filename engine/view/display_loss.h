@@ -5,8 +5,14 @@
 
 namespace sinew {
 
-/// Where the connection to an X display breaks, `last_words` run, and the program ends with the exit code of a lost
-/// device. Replaces what was asked for before. Nothing on systems without X.
-void at_display_loss(std::function<void()> last_words);
+/// While one lives, `last_words` run where the connection to an X display breaks. The program then ends with the exit
+/// code of a lost device, with or without them. Nothing on systems without X.
+class DisplayLoss {
+ public:
+  explicit DisplayLoss(std::function<void()> last_words);
+  ~DisplayLoss();
+  DisplayLoss(const DisplayLoss&) = delete;
+  DisplayLoss& operator=(const DisplayLoss&) = delete;
+};
 
 }  // namespace sinew

@@ -78,7 +78,10 @@ Result<Document> Document::create(Stage stage, const SceneOptions& options) {
     for (Character& character : scene->characters) character.clip = *options.clip;
   document.options_.poses.clear();
   document.options_.clip.reset();
+  // What poses of the command line add to the box is found with the next edit's.
+  const std::optional<Bounds> bounds = options.poses.empty() && !options.clip ? document.stage_.bounds : std::nullopt;
   if (auto ok = restage(document.stage_, *scene, document.options_); !ok) return pass_on(std::move(ok));
+  document.stage_.bounds = bounds;
   return document;
 }
 

@@ -58,6 +58,11 @@ class Document {
   /// Another deformer, bulge mode or strength, which no scene holds: not undone. Everything is to be made anew.
   void set_options(Deformer deformer, BulgeMode bulge, double strength);
 
+  /// Has a model's file read again where no character uses it now: it has been written anew.
+  void forget_spare(const std::filesystem::path& model) {
+    std::erase_if(stage_.spare, [&](const StagedCharacter& known) { return known.scene.model == model; });
+  }
+
   /// True where the scene is not what was last saved or opened; the camera does not count.
   bool is_changed() const { return done_ != saved_at_; }
   /// Writes the scene file. Fails as cannot_write.

@@ -13,6 +13,15 @@ auto costly(const Character& character) {
                     character.motion ? std::optional(character.motion->source) : std::nullopt, character.emotion);
 }
 
+/// True where the scenes differ in their looks and muscles alone: no file is read for that, whatever became of it.
+bool needs_no_parts(const Scene& a, const Scene& b) {
+  if (a.fps != b.fps || a.library != b.library) return false;
+  return std::ranges::equal(a.characters, b.characters, [](Character one, const Character& other) {
+    one.muscles = other.muscles;
+    return one == other;
+  });
+}
+
 /// The characters whose costly parts differ.
 std::vector<std::size_t> changed_characters(const Scene& a, const Scene& b) {
   std::vector<std::size_t> changed;
@@ -31,6 +40,15 @@ auto kinds_changed(const Scene& before, const Scene& after, std::size_t characte
                     std::get<4>(a) != std::get<4>(b)};
 }
 
+/// What an edit changed in a table of tracks, in one that others have changed since.
+template <class Tracks>
+void take_tracks(Tracks& to, const Tracks& from, const Tracks& wanted) {
+  for (const auto& [name, track] : wanted)
+    if (const auto old = from.find(name); old == from.end() || !(old->second == track)) to[name] = track;
+  for (const auto& [name, track] : from)
+    if (!wanted.contains(name)) to.erase(name);
+}
+
 /// What an edit changed, in a scene that others have changed since.
 Scene merged(Scene now, const Scene& before, const Scene& after) {
   if (now == before || before.characters.size() != after.characters.size() ||
@@ -43,11 +61,13 @@ Scene merged(Scene now, const Scene& before, const Scene& after) {
     ((from.*members == wanted.*members ? void() : void(to.*members = wanted.*members)), ...);
   };
   take(now, before, after, &Scene::fps, &Scene::frames, &Scene::look, &Scene::library);
-  for (std::size_t i = 0; i < now.characters.size(); ++i)
+  for (std::size_t i = 0; i < now.characters.size(); ++i) {
+    take_tracks(now.characters[i].keys, before.characters[i].keys, after.characters[i].keys);
+    take_tracks(now.characters[i].regions, before.characters[i].regions, after.characters[i].regions);
     take(now.characters[i], before.characters[i], after.characters[i], &Character::model, &Character::clip,
          &Character::motion, &Character::position, &Character::turn, &Character::count, &Character::muscles,
-         &Character::landmarks, &Character::keys, &Character::head, &Character::expressions, &Character::cues,
-         &Character::regions, &Character::emotion);
+         &Character::landmarks, &Character::head, &Character::expressions, &Character::cues, &Character::emotion);
+  }
   return now;
 }
 
@@ -70,6 +90,7 @@ bool EditWork::take(const Document& document, const Scene& scene, const std::str
   const bool comes_back = !waiting_.empty() && !merge.empty() && merge == waiting_.back().merge;
   const bool must_wait =
       comes_back || waits_to_step() || (is_busy() && !changed_characters(document.scene(), scene).empty());
+  if (!must_wait && needs_no_parts(document.scene(), scene)) return false;
   if (!must_wait && missing_parts(document.stage(), scene, document.options()).empty()) return false;
   enqueue({Kind::edit, document.scene(), scene, label, merge});
   return true;
@@ -132,12 +153,13 @@ void EditWork::seal(Document& document) {
     waiting_.back().seals = true;
 }
 
-const HeadSpec* EditWork::wanted_head() const {
-  for (auto wanted = waiting_.rbegin(); wanted != waiting_.rend(); ++wanted)
-    for (const std::size_t i : changed_characters(wanted->before, wanted->after))
-      if (i < wanted->after.characters.size() && wanted->after.characters[i].head)
-        return &*wanted->after.characters[i].head;
-  return nullptr;
+std::optional<HeadSpec> EditWork::wanted_head(std::size_t character) const {
+  for (auto wanted = waiting_.rbegin(); wanted != waiting_.rend(); ++wanted) {
+    const auto &before = wanted->before.characters, &after = wanted->after.characters;
+    if (character < before.size() && character < after.size() && before[character].head != after[character].head)
+      return after[character].head;
+  }
+  return {};
 }
 
 Scene EditWork::target(const Document& document, const Wanted& wanted) {
@@ -178,7 +200,9 @@ std::optional<EditWork::Done> EditWork::finish(Document& document) {
       document.lend(std::move(**made));
     } else if (is_wanted) {
       Done failed{pass_on(std::move(*made)), waiting_.front().label};
-      waiting_.clear();
+      const bool seals = waiting_.front().seals;
+      waiting_.pop_front();
+      if (seals) document.seal();
       return failed;
     }
   }

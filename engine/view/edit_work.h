@@ -37,8 +37,8 @@ class EditWork {
   void seal(Document& document);
 
   bool is_busy() const { return !waiting_.empty() || task_.running(); }
-  /// The head that is asked for, not shown yet.
-  const HeadSpec* wanted_head() const;
+  /// The head that is asked for a character, not shown yet.
+  std::optional<HeadSpec> wanted_head(std::size_t character) const;
   Task<StageParts>& task() { return task_; }
 
  private:

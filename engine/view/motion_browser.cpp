@@ -36,7 +36,7 @@ Result<StoredClip> fit_and_keep(const std::filesystem::path& file, StoredClip cl
 }  // namespace
 
 void MotionBrowser::use_library(const std::filesystem::path& library) {
-  const std::filesystem::path wanted = library.empty() ? default_library() : library;
+  const std::filesystem::path wanted = library_or_default(library);
   if (listed_ && wanted == library_) return;
   library_ = wanted;
   tags_stale_ = true;
@@ -101,6 +101,12 @@ void MotionBrowser::save_as(const std::string& name) {
 bool MotionBrowser::poll() {
   auto outcome = task_.take();
   if (!outcome) return false;
+  // Stopped at its end it may have been done all the same; and it may be of another library.
+  if (*outcome && task_.is_cancelled()) {
+    news_ = News{task_.what() + ": stopped", false, ""};
+    refresh();
+    return true;
+  }
   if (!*outcome) {
     const Error& error = outcome->error();
     news_ = News{task_.what() + ": " + error.message, error.kind != ErrorKind::interrupted, ""};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/app/muscle_scene.h"
+#include "engine/app/stage_use.h"
 #include "engine/body/muscle_spec.h"
 #include "engine/model/scene_words.h"
 
@@ -10,10 +11,6 @@ namespace sinew {
 namespace {
 
 constexpr double straight = 180.0, least_range = 1.0;
-
-PlacementContext context(const StagedCharacter& staged) {
-  return {*staged.model, staged.mesh, staged.rest, staged.humanoid};
-}
 
 bool has_muscle(const Character& character, const std::string& name) {
   return std::ranges::find(character.muscles, name, muscle_name) != character.muscles.end();
@@ -44,9 +41,9 @@ bool has_muscle(const Character& character, MusclePreset preset, MuscleSide side
 }
 
 Result<void> add_muscle(Character& character, const StagedCharacter& staged, MusclePreset preset, MuscleSide side) {
-  const auto placed = place_muscle(context(staged), preset_muscle(preset, side));
+  const auto placed = place_muscle(placement_context(staged), preset_muscle(preset, side));
   if (!placed) return tl::unexpected<Error>(placed.error());
-  auto spec = explicit_muscle(context(staged), *placed);
+  auto spec = explicit_muscle(placement_context(staged), *placed);
   if (!spec) return pass_on(std::move(spec));
   character.muscles.push_back(std::move(*spec));
   return {};
@@ -62,7 +59,7 @@ Result<int> add_fitting_muscles(Character& character, const StagedCharacter& sta
   std::vector<MuscleSpec> added;
   for (const PlacedMuscle& muscle : *placed) {
     if (has_muscle(character, muscle.muscle.name)) continue;
-    auto spec = explicit_muscle(context(staged), muscle);
+    auto spec = explicit_muscle(placement_context(staged), muscle);
     if (!spec) return pass_on(std::move(spec));
     added.push_back(std::move(*spec));
   }

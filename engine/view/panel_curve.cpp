@@ -17,12 +17,6 @@ void choose_axis(int& axis) {
   }
 }
 
-void tell(ViewState& state, const Result<void>& done) {
-  if (done) return;
-  state.message = done.error().message;
-  state.is_error = true;
-}
-
 void draw_fit(MotionPanel& panel) {
   ImGui::SetNextItemWidth(92.0f);
   ImGui::DragFloat("##tolerance", &panel.tolerance, 0.01f, 0.01f, 20.0f, "%.2f deg", ImGuiSliderFlags_AlwaysClamp);
@@ -62,17 +56,17 @@ void take_action(const PlotAction& action, ClipEditor& editor, const CurveChoice
   const PiecewisePolynomial& curve = editor.curve(choice);
   switch (action.kind) {
     case Kind::set_value:
-      tell(state, editor.set_key(choice, action.key, action.value, {},
-                                 action.in_time ? std::optional(action.x) : std::nullopt));
+      state.tell(editor.set_key(choice, action.key, action.value, {},
+                                action.in_time ? std::optional(action.x) : std::nullopt));
       break;
     case Kind::set_slope:
-      tell(state, editor.set_key(choice, action.key, curve_keys(curve)[action.key].value, action.slope));
+      state.tell(editor.set_key(choice, action.key, curve_keys(curve)[action.key].value, action.slope));
       break;
     case Kind::add:
-      if (action.x > curve.begin() && action.x < curve.end()) tell(state, editor.add_key(choice, action.x));
+      if (action.x > curve.begin() && action.x < curve.end()) state.tell(editor.add_key(choice, action.x));
       break;
     case Kind::remove:
-      if (action.key > 0 && action.key < curve.segments()) tell(state, editor.delete_key(choice, action.key));
+      if (action.key > 0 && action.key < curve.segments()) state.tell(editor.delete_key(choice, action.key));
       break;
     case Kind::released:
       editor.seal();

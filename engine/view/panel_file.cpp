@@ -89,27 +89,6 @@ void draw_disk_change(ViewState& state) {
 
 }  // namespace
 
-void draw_replacing(ViewState& state) {
-  constexpr const char* name = "Replace the file?";
-  if (state.replacing && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
-  if (!ImGui::BeginPopupModal(name, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
-    return;
-  draw_fitted_text(state.save_as, FittedEnd::last, open_width);
-  ImGui::TextDisabled("exists, and was neither opened nor saved here.");
-  ImGui::Spacing();
-  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
-  const auto answer = [&](bool replace) {
-    state.replacing = false;
-    state.replace = replace;
-    ImGui::CloseCurrentPopup();
-  };
-  if (ImGui::Button("Replace", {120.0f, 0.0f}) || pressed(ImGuiKey_Enter)) answer(true);
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel", {120.0f, 0.0f}) || pressed(ImGuiKey_Escape)) answer(false);
-  ImGui::EndPopup();
-}
-
 void draw_file(const Document& document, ViewState& state) {
   const Stage& stage = document.stage();
   const std::string vertices = fmt::format("{} vertices", stage.vertices());

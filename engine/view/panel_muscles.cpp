@@ -123,11 +123,6 @@ void draw_row(const Document& document, ViewState& state, const MuscleNumber& nu
   ImGui::TreePop();
 }
 
-void tell(ViewState& state, const Error& error) {
-  state.message = error.message;
-  state.is_error = true;
-}
-
 void draw_presets(const Document& document, ViewState& state, std::size_t c) {
   if (!ImGui::BeginPopup("add a muscle")) return;
   const Character& character = document.scene().characters[c];
@@ -144,7 +139,7 @@ void draw_presets(const Document& document, ViewState& state, std::size_t c) {
         Scene scene = document.scene();
         const auto added = add_muscle(scene.characters[c], document.stage().characters[c], preset, side);
         const std::string label = added ? "add " + muscle_name(scene.characters[c].muscles.back()) : "";
-        added ? state.ask(std::move(scene), label) : tell(state, added.error());
+        added ? state.ask(std::move(scene), label) : state.tell(added.error());
         ImGui::CloseCurrentPopup();
       }
       ImGui::EndDisabled();
@@ -166,7 +161,7 @@ void draw_adding(const Document& document, ViewState& state) {
   if (ImGui::Button("All that fit", {half, 0.0f})) {
     Scene scene = document.scene();
     const auto added = add_fitting_muscles(scene.characters[c], document.stage().characters[c]);
-    if (!added) return tell(state, added.error());
+    if (!added) return state.tell(added.error());
     if (*added > 0) return state.ask(std::move(scene), fmt::format("add {} muscles", *added));
     state.message = "every muscle that fits is there already";
     state.is_error = false;

@@ -8,11 +8,15 @@ namespace sinew {
 void draw_file(const Document& document, ViewState& state);
 /// Asks whether a file that stands where the scene is to be saved may be replaced.
 void draw_replacing(ViewState& state);
+/// Asks about edits that are not saved: ViewState::leaving.
+void draw_leaving(ViewState& state);
 void draw_look(const Document& document, ViewState& state);
 void draw_deformer(const Document& document, ViewState& state);
 void draw_muscles(const Document& document, ViewState& state);
 /// With its header.
 void draw_skin(const Document& document, ViewState& state);
+/// True where nothing can move a character: its file has neither skin weights nor animations.
+bool stands_still(const StagedCharacter& character);
 void draw_pose(const Document& document, ViewState& state);
 void draw_face(const Document& document, ViewState& state);
 void draw_time(const Document& document, ViewState& state);

@@ -37,14 +37,18 @@ void follow_model(SkinPanel& panel, const std::string& model, bool has_skin) {
   panel.output = mesh.empty() ? "" : (file.parent_path() / (file.stem().string() + "_bound.glb")).string();
 }
 
+bool stands_still(const StagedCharacter& character) {
+  return !is_built_in_model(character.scene.model.string()) && character.model->skins.empty() &&
+         character.model->clips.empty();
+}
+
 void draw_skin(const Document& document, ViewState& state) {
   SkinPanel& panel = state.skin;
   const auto& characters = document.stage().characters;
   if (state.character >= characters.size()) return;
   const StagedCharacter& character = characters[state.character];
   follow_model(panel, character.scene.model.string(), !character.model->skins.empty());
-  const bool opens = std::exchange(panel.opens, false);
-  if (opens) ImGui::SetNextItemOpen(true);
+  if (std::exchange(panel.opens, false)) ImGui::SetNextItemOpen(true);
   if (!ImGui::CollapsingHeader("Skin")) return;
   if (panel.mesh.empty()) {
     ImGui::TextDisabled("built-in characters bring their weights");
@@ -69,7 +73,6 @@ void draw_skin(const Document& document, ViewState& state) {
   ImGui::EndDisabled();
   show_tip(panel.skeleton.empty() ? "name the file with the skeleton first"
                                   : "makes skin weights, as sinew bind does, and shows the new file");
-  if (opens) ImGui::SetScrollHereY(1.0f);
 }
 
 }  // namespace sinew

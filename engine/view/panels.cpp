@@ -116,6 +116,7 @@ void show_tip(const std::string& text) {
 
 void draw_panels(const Document& document, ViewState& state) {
   draw_help(state);
+  draw_leaving(state);
   draw_replacing(state);
   state.docked.clear();
   state.extras.muscle = state.kept_muscle;
@@ -124,10 +125,14 @@ void draw_panels(const Document& document, ViewState& state) {
   const float height = whole.y - bar_height;
   if (begin_panel(state, "scene", {0.0f, 0.0f}, {side_width, height})) {
     draw_file(document, state);
+    // What can be done with a mesh that nothing moves stands first.
+    const auto& characters = document.stage().characters;
+    const bool bare = state.character < characters.size() && stands_still(characters[state.character]);
+    if (bare) draw_skin(document, state);
     if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) draw_look(document, state);
     if (ImGui::CollapsingHeader("Deformer", ImGuiTreeNodeFlags_DefaultOpen)) draw_deformer(document, state);
     if (ImGui::CollapsingHeader("Muscles", ImGuiTreeNodeFlags_DefaultOpen)) draw_muscles(document, state);
-    draw_skin(document, state);
+    if (!bare) draw_skin(document, state);
   }
   ImGui::End();
   if (begin_panel(state, "act", {whole.x - side_width, 0.0f}, {side_width, height})) draw_acting(document, state);

@@ -43,10 +43,10 @@ struct ViewState {
   bool is_error = false;
   std::string device;  ///< name, and that it is a CPU
   double frames_a_second = 0.0;
-  std::vector<CharacterState> states;     ///< [characters] of the frame that is shown
-  const HeadSpec* wanted_head = nullptr;  ///< that is being drawn
-  std::vector<DockedPanel> docked;        ///< that were drawn, in units
-  PixelBox picture;                       ///< what they left to the picture in the frame before, likewise
+  std::vector<CharacterState> states;   ///< [characters] of the frame that is shown
+  std::optional<HeadSpec> wanted_head;  ///< of the chosen character, that is being drawn
+  std::vector<DockedPanel> docked;      ///< that were drawn, in units
+  PixelBox picture;                     ///< what they left to the picture in the frame before, likewise
   MotionPanel motion;
   SkinPanel skin;
 
@@ -59,6 +59,14 @@ struct ViewState {
   bool records = false;                     ///< a film is being recorded
   bool replacing = false, replace = false;  ///< the user is asked whether a file may be replaced; the answer is yes
   bool reload = false, record = false, toggle_projection = false;
+
+  /// What would drop edits that are not saved: another file is opened, or the window closed.
+  struct Leaving {
+    std::string file;    ///< empty: closed
+    bool shown = false;  ///< the question has been seen
+  };
+  std::optional<Leaving> leaving;  ///< the user is asked about it
+  enum class LeaveAnswer { none, save, drop, stay } leave_answer = LeaveAnswer::none;
 
   /// A handle of the face that is being dragged, and all as it was before.
   struct FaceDrag {
@@ -78,11 +86,18 @@ struct ViewState {
   std::optional<Edit> edit;
   bool edit_ended = false;  ///< the slider was let go
   bool undo = false, redo = false, save = false, copy_command = false, screenshot = false, frame_all = false,
-       frame_joint = false, close = false;
+       frame_joint = false;
   std::optional<View> view;             ///< one of the standard views was asked for
   std::optional<SceneOptions> options;  ///< deformer, bulge or strength were changed
   std::optional<std::string> open;      ///< another file
 
+  void tell(const Error& error) {
+    message = error.message;
+    is_error = true;
+  }
+  void tell(const Result<void>& done) {
+    if (!done) tell(done.error());
+  }
   void ask(Scene scene, std::string label, std::string merge = "") {
     edit = Edit{std::move(scene), std::move(label), std::move(merge)};
   }

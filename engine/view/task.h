@@ -5,6 +5,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -62,7 +63,13 @@ class Task : public WorkBeside {
   bool start(std::string what, Work work) {
     if (running()) return false;
     begin(std::move(what));
-    outcome_ = std::async(std::launch::async, [work = std::move(work), watch = watch_.get()] { return work(*watch); });
+    outcome_ = std::async(std::launch::async, [work = std::move(work), watch = watch_.get()]() -> Result<T> {
+      try {
+        return work(*watch);
+      } catch (const std::bad_alloc&) {
+        return failure(ErrorKind::device_failed, "there is not enough memory for that");
+      }
+    });
     return true;
   }
   bool running() const override { return outcome_.valid(); }

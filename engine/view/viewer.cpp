@@ -65,6 +65,7 @@ Result<void> ViewerSession::show_stage(Stage stage, const SceneOptions& scene, s
   // What was being dragged, asked for or singled out belongs to what was shown before.
   tools_ = {};
   state_.face_drag.reset();
+  state_.wanted_head.reset();
   state_.kept_muscle.reset();
   state_.edit.reset();
   state_.motion.drag.reset();
@@ -147,7 +148,7 @@ Result<ViewerReport> ViewerSession::run(Window& window) {
   for (int i = 0; measured && i < warming_frames; ++i)
     if (auto ok = show_frame(window); !ok) return pass_on(std::move(ok));
   begun = last = Clock::now();
-  while (!window.is_closing() && (!measured || report.frames < options_.frames)) {
+  while ((!window.is_closing() || !may_close(window)) && (!measured || report.frames < options_.frames)) {
     const bool moving = state_.playback.playing || measured, works = works_beside();
     window.take_events(!moving && to_rest <= 0, works ? progress_seconds : idle_seconds);
     if (auto ok = check_interrupt(); !ok) return pass_on(std::move(ok));
@@ -208,12 +209,11 @@ Result<ViewerReport> view(WindowSystem& system, Device& device, const ViewerOpti
   if (const auto font = Font::find_file()) wanted.font = font->string();
   auto window = Window::create(system, device, wanted);
   if (!window) return pass_on(std::move(window));
-  at_display_loss([&] {
+  const DisplayLoss display_loss([&] {
     spdlog::error("the connection to the display broke");
     session.rescue();
   });
   auto report = session.run(*window);
-  at_display_loss({});
   if (report)
     report->problems = std::move(problems);
   else

@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include "engine/model/scene_words.h"
+#include "engine/view/panel_parts.h"
 #include "engine/view/viewer_session.h"
 
 namespace sinew {
@@ -39,10 +40,10 @@ void ViewerSession::remember(const std::string& file) {
 void ViewerSession::open_beside(const std::string& file) {
   if (opening_.running()) return say("still opening another file");
   reloading_ = false;
-  opening_options_ = options_.scene;
+  // Deformer, bulge and strength stay as they were chosen in the window.
+  opening_options_ = document().options();
   opening_options_.scene = file;
-  opening_options_.poses.clear();
-  opening_options_.clip.reset();
+  opened_over_ = document().revision();
   const std::string name = std::filesystem::path(file).filename().string();
   opening_.start("opening " + name, [options = opening_options_](TaskWatch& watch) -> Result<Stage> {
     auto stage = open_stage(options, watch);
@@ -58,13 +59,11 @@ void ViewerSession::open_beside(const std::string& file) {
 void ViewerSession::reload() {
   open_beside(state_.file);
   reloading_ = true;
-  reloaded_over_ = document().revision();
 }
 
 std::string ViewerSession::without_skin() {
   for (const StagedCharacter& character : document().stage().characters)
-    if (!is_built_in_model(character.scene.model.string()) && character.model->skins.empty() &&
-        character.model->clips.empty())
+    if (stands_still(character))
       return character.scene.model.filename().string() +
              ": no skin weights and no animation; Skin, on the left, binds it";
   return "";
@@ -76,11 +75,16 @@ void ViewerSession::take_opened() {
   Result<Stage>& stage = *opened;
   const bool reloads = std::exchange(reloading_, false);
   // Stopped at its end it may have been done all the same.
-  if (opening_.is_cancelled()) return say(opening_.what() + ": stopped");
+  if (opening_.is_cancelled()) return reloads ? void() : say(opening_.what() + ": stopped");
   if (!stage) return say(stage.error());
-  if (reloads && document().revision() != reloaded_over_) {
-    state_.changed_on_disk = true;
-    return say("the file has changed on the disk, and so has what is shown");
+  if (document().revision() != opened_over_ || edits_.is_busy()) {
+    if (reloads) {
+      state_.changed_on_disk = true;
+      return say("the file has changed on the disk, and so has what is shown");
+    }
+    // Edited since it was asked for: that is not dropped unasked.
+    state_.leaving = ViewState::Leaving{opening_options_.scene};
+    return;
   }
   std::vector<std::string> problems = stage->problems;
   const double frame = state_.playback.frame;
@@ -104,7 +108,7 @@ bool ViewerSession::follow_disk() {
   const bool compiles = shaders_.follow();
   if (opening_.running() || !disk_.has_changed()) return compiles;
   // Edits that are not saved are not dropped unasked.
-  (document().is_changed() ? state_.changed_on_disk : state_.reload) = true;
+  (document().is_changed() || edits_.is_busy() ? state_.changed_on_disk : state_.reload) = true;
   return true;
 }
 
@@ -115,8 +119,11 @@ bool ViewerSession::is_others_file() const {
          !std::filesystem::equivalent(state_.save_as, own_file_, failed);
 }
 
-void ViewerSession::save() {
-  if (auto ok = document().save(state_.save_as); !ok) return say(ok.error());
+bool ViewerSession::save() {
+  if (auto ok = document().save(state_.save_as); !ok) {
+    say(ok.error());
+    return false;
+  }
   if (is_scene_file(state_.save_as)) {
     state_.file = state_.save_as;
     disk_.watch(state_.file);
@@ -128,11 +135,50 @@ void ViewerSession::save() {
   own_file_ = state_.save_as;
   remember(state_.save_as);
   say(state_.save_as + " written");
+  return true;
+}
+
+bool ViewerSession::has_unsaved() {
+  const ClipEditor* clip = state_.motion.browser.editor();
+  return document().is_changed() || edits_.is_busy() || (clip != nullptr && clip->is_edited());
+}
+
+bool ViewerSession::may_close(Window& window) {
+  if (closes_ || options_.frames > 0 || !has_unsaved()) return true;
+  // Closed again while it asks, it is meant.
+  if (state_.leaving && state_.leaving->file.empty() && state_.leaving->shown && !state_.replacing) return true;
+  window.keep_open();
+  state_.replacing = leaves_once_saved_ = false;
+  state_.leaving = ViewState::Leaving{};
+  return false;
+}
+
+void ViewerSession::leave(Window& window) {
+  const ViewState::Leaving leaving = *std::exchange(state_.leaving, std::nullopt);
+  leaves_once_saved_ = false;
+  if (!leaving.file.empty()) return open_beside(leaving.file);
+  closes_ = true;
+  window.close();
+}
+
+void ViewerSession::take_leave_answer(Window& window) {
+  using Answer = ViewState::LeaveAnswer;
+  const Answer answer = std::exchange(state_.leave_answer, Answer::none);
+  if (!state_.leaving) return;
+  if (answer == Answer::save) state_.save = leaves_once_saved_ = true;
+  if (answer == Answer::stay) state_.leaving.reset();
+  if (answer == Answer::drop) leave(window);
 }
 
 void ViewerSession::rescue() {
   if (!shown_ || !document().is_changed()) return;
-  const std::string file = std::filesystem::path(state_.save_as).replace_extension(".rescued.json").string();
+  std::string file;
+  std::error_code failed;
+  // Those of other windows stay.
+  for (int number = 1; file.empty() || std::filesystem::exists(file, failed); ++number)
+    file = std::filesystem::path(state_.save_as)
+               .replace_extension(number == 1 ? ".rescued.json" : fmt::format(".rescued{}.json", number))
+               .string();
   if (auto ok = document().save(file); ok)
     spdlog::warn("edits that were not saved are kept in {}", file);
   else
@@ -140,17 +186,32 @@ void ViewerSession::rescue() {
 }
 
 void ViewerSession::take_file_requests(Window& window) {
-  for (const auto& file : window.take_dropped_files()) open_beside(file.string());
-  if (const auto file = std::exchange(state_.open, std::nullopt); file && !file->empty()) open_beside(*file);
+  std::optional<std::string> wanted = std::exchange(state_.open, std::nullopt);
+  for (const auto& file : window.take_dropped_files()) wanted = file.string();
+  if (wanted && !wanted->empty()) {
+    state_.leaving = ViewState::Leaving{*wanted};
+    if (!has_unsaved()) leave(window);
+  }
+  take_leave_answer(window);
   take_opened();
   take_shaders();
   if (state_.reload && !opening_.running()) {
     state_.reload = state_.changed_on_disk = false;
     reload();
   }
-  const bool asked = std::exchange(state_.save, false), replace = std::exchange(state_.replace, false);
+  // What waits to be made ready is saved with all else.
+  const bool asked = !edits_.is_busy() && std::exchange(state_.save, false),
+             replace = std::exchange(state_.replace, false);
   if (asked) state_.replacing = is_others_file();
-  if (replace || (asked && !state_.replacing)) save();
+  if (replace || (asked && !state_.replacing)) {
+    const bool saved = save();
+    if (saved && leaves_once_saved_) leave(window);
+  }
+  // Not saved after all, nothing is left.
+  if (leaves_once_saved_ && !state_.replacing && !state_.save) {
+    leaves_once_saved_ = false;
+    state_.leaving.reset();
+  }
 }
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include <imgui.h>
 #include <spdlog/spdlog.h>
 
 #include "engine/app/panel.h"
@@ -44,6 +45,13 @@ void ViewerSession::take_edit(const Result<Touched>& done, const std::string& sa
   say(said);
 }
 
+void ViewerSession::take_edit(const ViewState::Edit& edit) {
+  if (edits_.take(document(), edit.scene, edit.label, edit.merge))
+    say(edit.label + " ...");
+  else
+    take_edit(document().edit(edit.scene, edit.label, edit.merge), edit.label);
+}
+
 void ViewerSession::take_step(bool back) {
   if (back)
     if (const auto label = edits_.withdraw(document())) return say("not done: " + *label);
@@ -54,12 +62,7 @@ void ViewerSession::take_step(bool back) {
 }
 
 void ViewerSession::take_edits() {
-  if (const auto edit = std::exchange(state_.edit, std::nullopt)) {
-    if (edits_.take(document(), edit->scene, edit->label, edit->merge))
-      say(edit->label + " ...");
-    else
-      take_edit(document().edit(edit->scene, edit->label, edit->merge), edit->label);
-  }
+  if (const auto edit = std::exchange(state_.edit, std::nullopt)) take_edit(*edit);
   if (const auto done = edits_.finish(document())) {
     if (!done->touched && done->touched.error().kind == ErrorKind::interrupted)
       say("stopped: " + done->said);
@@ -68,7 +71,7 @@ void ViewerSession::take_edits() {
   }
   if (std::exchange(state_.undo, false)) take_step(true);
   if (std::exchange(state_.redo, false)) take_step(false);
-  state_.wanted_head = edits_.wanted_head();
+  state_.wanted_head = edits_.wanted_head(state_.character);
 }
 
 /// The box of all frames takes long to find: beside the window, and not while a slider is being dragged.
@@ -106,7 +109,9 @@ void ViewerSession::take_photo() {
 
 void ViewerSession::take_requests(Window& window) {
   // Edits first: a file that is read meanwhile must not take their place.
-  const bool ended = std::exchange(state_.edit_ended, false);
+  // A panel that was hidden in the middle of a drag does not say that it ended.
+  const bool dropped = document().is_merging() && !ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown();
+  const bool ended = std::exchange(state_.edit_ended, false) || dropped;
   take_edits();
   if (ended) edits_.seal(document());
   take_file_requests(window);

@@ -61,6 +61,7 @@ class ViewerSession {
   void take_key(const KeyPress& press, Window& window);
   void take_requests(Window& window);
   void take_edit(const Result<Touched>& done, const std::string& said);
+  void take_edit(const ViewState::Edit& edit);
   void take_edits();
   void take_step(bool back);
   void follow_bounds(bool may_find);
@@ -78,7 +79,16 @@ class ViewerSession {
   /// What to say of a model that nothing moves; empty where there is none.
   std::string without_skin();
   bool follow_disk();
-  void save();
+  /// False where it cannot be written, which is said.
+  bool save();
+  /// Edits of the scene, made or waiting to be made ready, or of the open clip.
+  bool has_unsaved();
+  /// Opens another file or closes the window, as it was asked for.
+  void leave(Window& window);
+  /// Does what the user said to state_.leaving.
+  void take_leave_answer(Window& window);
+  /// True where the window is to close: asks first where edits would be dropped, unless that is asked already.
+  bool may_close(Window& window);
   bool is_others_file() const;
   void take_file_requests(Window& window);
   void keep_preferences(const Window& window);
@@ -121,10 +131,12 @@ class ViewerSession {
   PictureTools tools_;
   Task<Stage> opening_;
   SceneOptions opening_options_;
-  bool reloading_ = false;         ///< what is being opened is the file that is shown
-  std::size_t reloaded_over_ = 0;  ///< Document::revision() that it may take the place of
-  Camera camera_in_file_;          ///< as the file was opened
-  std::string own_file_;           ///< the scene file that was opened or saved last; empty: none
+  bool reloading_ = false;          ///< what is being opened is the file that is shown
+  std::size_t opened_over_ = 0;     ///< Document::revision() that what is opened may take the place of
+  Camera camera_in_file_;           ///< as the file was opened
+  bool leaves_once_saved_ = false;  ///< the user wants to save first
+  bool closes_ = false;             ///< the user has agreed to it
+  std::string own_file_;            ///< what was opened as a scene, or saved last: Save may replace it; empty: none
   FileWatch disk_;
   struct BoundMesh {
     AutomaticWeightReport report;

@@ -39,15 +39,25 @@ void ViewerSession::follow_binding() {
   }
   const BoundMesh& bound = **done;
   const auto& [mesh, output] = bound_;
-  say(bound.problems.empty() ? fmt::format("{}: {} vertices follow {} joints", output, bound.report.vertices,
+  document().forget_spare(output);
+  const std::string told(bound.problems.empty()
+                             ? fmt::format("{}: {} vertices follow {} joints", output, bound.report.vertices,
                                            bound.report.joints - bound.report.outside.size() - bound.report.idle.size())
                              : bound.problems.front());
   // Where the bare mesh alone is open there is nothing to keep: the new file is opened in its place.
-  if (state_.file == mesh && !document().is_changed()) return open_beside(output);
+  if (state_.file == mesh && !has_unsaved() && !opening_.running()) {
+    open_beside(output);
+    return say(told);
+  }
   Scene scene = document().scene();
+  bool used = false;
   for (Character& character : scene.characters)
-    if (character.model == mesh) character.model = output;
-  state_.ask(std::move(scene), "skin of " + std::filesystem::path(mesh).filename().string());
+    if (character.model == mesh) {
+      character.model = output;
+      used = true;
+    }
+  if (!used) return say(output + " is written; its mesh is not in this scene any more");
+  take_edit(ViewState::Edit{std::move(scene), told, ""});
 }
 
 }  // namespace sinew

@@ -169,6 +169,7 @@ Result<Window> Window::create(WindowSystem&, Device& device, const WindowOptions
     static_cast<Impl*>(glfwGetWindowUserPointer(window))
         ->presses.push_back({*key, (modifiers & GLFW_MOD_CONTROL) != 0, shift, action == GLFW_REPEAT});
   });
+  glfwSetWindowCloseCallback(impl->window, stirred);
   glfwSetWindowFocusCallback(impl->window, [](GLFWwindow* window, int) { stirred(window); });
   glfwSetFramebufferSizeCallback(impl->window, [](GLFWwindow* window, int, int) { stirred(window); });
 
@@ -193,6 +194,7 @@ Result<Window> Window::create(WindowSystem&, Device& device, const WindowOptions
 
 bool Window::is_closing() const { return glfwWindowShouldClose(impl_->window); }
 void Window::close() { glfwSetWindowShouldClose(impl_->window, GLFW_TRUE); }
+void Window::keep_open() { glfwSetWindowShouldClose(impl_->window, GLFW_FALSE); }
 void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(impl_->window, text.c_str()); }
 
 PictureSize Window::size() const {

@@ -49,6 +49,8 @@ class Window {
 
   bool is_closing() const;
   void close();
+  /// Takes it back that the user closed it.
+  void keep_open();
   /// Its pixels; 0 x 0 while it is minimised.
   PictureSize size() const;
   /// Pixels that one unit of the interface has: 2 on a display twice as dense as usual.

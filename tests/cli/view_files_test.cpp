@@ -62,6 +62,28 @@ TEST_F(ViewFiles, ParallelRaysAreSavedAndRenderShowsThem) {
   EXPECT_NE(picture("parallel.png").rgba, picture("other.png").rgba);
 }
 
+TEST_F(ViewFiles, AsksBeforeEditsAreDropped) {
+  const Bytes before = read("arm.json");
+  RunningProgram program({"view", "arm.json", "--size", "800x480", "--validate"}, in_window());
+  wait_for_window();
+  click(27, 205);  // the skeleton is drawn
+  press("ctrl+q");
+  press("Escape");
+  EXPECT_EQ(kill(program.id(), 0), 0) << "cancelled";
+  press("ctrl+q");
+  press("Return");
+  const ProgramResult result = program.finish();
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(file_json("arm.json").at("look").at("overlay"), nlohmann::json{"skeleton"});
+
+  write("arm.json", std::string(before.begin(), before.end()));
+  RunningProgram again({"view", "arm.json", "--size", "800x480", "--validate"}, in_window());
+  wait_for_window();
+  click(27, 205);
+  EXPECT_EQ(quit(again).exit_code, 0);
+  EXPECT_EQ(read("arm.json"), before) << "closed twice, it is meant";
+}
+
 TEST_F(ViewFiles, EditsOutliveALostDisplayAndASignal) {
   const Bytes before = read("arm.json");
   RunningProgram lost({"view", "arm.json", "--size", "800x480"}, in_window());

@@ -133,6 +133,7 @@ class View : public ProgramTest {
   ProgramResult quit(RunningProgram& program) const {
     press("Escape");
     press("ctrl+q");
+    press("ctrl+q");  // whatever is not saved
     return program.finish();
   }
   /// Waits until the file is there and whole.

@@ -31,7 +31,7 @@ TEST(EditWork, AgesMergeIntoOneEditAndUndoNeedsNoDrawing) {
     Scene scene = document.scene();
     set_head_age(scene.characters[0], 0.0, age);
     ASSERT_TRUE(work.take(document, scene, "age", "age"));
-    EXPECT_EQ(work.wanted_head()->age.value_at(0.0), age);
+    EXPECT_EQ(work.wanted_head(0)->age.value_at(0.0), age);
   }
   work.seal(document);
   finish(work, document);
