@@ -20,13 +20,18 @@ std::vector<ListedJoint> listed_joints(const StagedCharacter& character) {
     const int parent = model.nodes[n].parent;
     depth[n] =
         parent < 0 ? 0 : depth[static_cast<std::size_t>(parent)] + (is_joint[static_cast<std::size_t>(parent)] ? 1 : 0);
-    if (!is_joint[n] || model.nodes[n].name.empty()) continue;
+    if (!is_joint[n]) continue;
     ListedJoint joint{model.nodes[n].name, model.nodes[n].name, depth[n], node};
     for (std::size_t bone = 0; bone < character.humanoid.node.size(); ++bone)
       if (character.humanoid.node[bone] == node) {
         const std::string humanoid(humanoid_name(static_cast<HumanoidBone>(bone)));
-        if (humanoid != joint.name) joint.shown += "  (" + humanoid + ")";
+        if (joint.name.empty())
+          joint.name = joint.shown = humanoid;
+        else if (humanoid != joint.name)
+          joint.shown += "  (" + humanoid + ")";
       }
+    // Scenes name joints: what has no name cannot be keyed.
+    if (joint.name.empty()) continue;
     if (const auto name = called.find(node); name != called.end()) joint.name = name->second;
     out.push_back(std::move(joint));
   }

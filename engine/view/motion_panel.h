@@ -15,6 +15,7 @@ enum class CurveSource {
 
 struct MotionPanel {
   bool shown = false;
+  bool edited_last = false;  ///< the clip was edited since the scene was: undo takes that back first
   MotionBrowser browser;
   float tolerance = 0.5f;  ///< degrees, of the next fit
   std::string save_as;     ///< the edited clip's name

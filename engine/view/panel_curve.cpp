@@ -54,6 +54,7 @@ void choose_joint(const MotionSkeleton& skeleton, std::size_t& joint) {
 void take_action(const PlotAction& action, ClipEditor& editor, const CurveChoice& choice, ViewState& state) {
   using Kind = PlotAction::Kind;
   const PiecewisePolynomial& curve = editor.curve(choice);
+  state.motion.edited_last = state.motion.edited_last || (action.kind != Kind::none && action.kind != Kind::released);
   switch (action.kind) {
     case Kind::set_value:
       state.tell(editor.set_key(choice, action.key, action.value, {},
@@ -92,7 +93,9 @@ void draw_clip(const Document& document, ViewState& state) {
     return;
   }
   if (clip == nullptr) {
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::TextDisabled("choose a clip to see its curves; double click it and the character plays it");
+    ImGui::PopTextWrapPos();
     return;
   }
   ClipEditor* editor = panel.browser.editor();

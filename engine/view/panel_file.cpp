@@ -18,11 +18,13 @@ void draw_open(ViewState& state) {
   }
   show_tip("a model, motion or scene; or drop a file onto the window");
   if (!ImGui::BeginPopup("open a file")) return;
+  if (is_escaped()) ImGui::CloseCurrentPopup();
   const auto ask = [&](const std::string& file) {
     state.open = file;
     ImGui::CloseCurrentPopup();
   };
   ImGui::SetNextItemWidth(open_width);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText("##path", &state.open_field, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   if (ImGui::Button("Open##it") || entered) ask(state.open_field);
@@ -37,10 +39,13 @@ void draw_open(ViewState& state) {
 
 void draw_history(const Document& document, ViewState& state) {
   ImGui::SameLine();
-  ImGui::BeginDisabled(!document.can_undo());
+  const ClipEditor* clip = state.edited_clip();
+  ImGui::BeginDisabled(clip == nullptr && !document.can_undo());
   if (ImGui::Button("Undo")) state.undo = true;
   ImGui::EndDisabled();
-  show_tip(document.can_undo() ? "Ctrl+Z: " + document.undo_label() : "nothing to undo");
+  show_tip(clip != nullptr       ? "Ctrl+Z: edit of " + clip->name()
+           : document.can_undo() ? "Ctrl+Z: " + document.undo_label()
+                                 : "nothing to undo");
   ImGui::SameLine();
   ImGui::BeginDisabled(!document.can_redo());
   if (ImGui::Button("Redo")) state.redo = true;

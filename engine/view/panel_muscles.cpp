@@ -125,6 +125,7 @@ void draw_row(const Document& document, ViewState& state, const MuscleNumber& nu
 
 void draw_presets(const Document& document, ViewState& state, std::size_t c) {
   if (!ImGui::BeginPopup("add a muscle")) return;
+  if (is_escaped()) ImGui::CloseCurrentPopup();
   const Character& character = document.scene().characters[c];
   const auto& names = muscle_preset_names();
   for (std::size_t i = 0; i < names.size(); ++i) {

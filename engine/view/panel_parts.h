@@ -30,6 +30,9 @@ void ask_for_clip(const Document& document, ViewState& state, const std::string&
 bool has_face(const Document& document);
 bool has_face_regions(const Document& document);
 
+/// True in the frame in which Escape is pressed.
+bool is_escaped();
+
 /// Explains the item before it to a pointer that rests on it.
 void show_tip(const std::string& text);
 

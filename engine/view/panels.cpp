@@ -41,6 +41,7 @@ void draw_acting(const Document& document, ViewState& state) {
 }
 
 void draw_help(ViewState& state) {
+  if (state.help && is_escaped()) state.help = false;
   if (!state.help) return;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
   if (ImGui::Begin("Keys", &state.help, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
@@ -109,6 +110,8 @@ void set_style() {
   style.Colors[ImGuiCol_Header] = {0.24f, 0.27f, 0.32f, 1.0f};
   style.Colors[ImGuiCol_Button] = {0.24f, 0.27f, 0.32f, 1.0f};
 }
+
+bool is_escaped() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
 
 void show_tip(const std::string& text) {
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text.c_str());

@@ -91,6 +91,12 @@ struct ViewState {
   std::optional<SceneOptions> options;  ///< deformer, bulge or strength were changed
   std::optional<std::string> open;      ///< another file
 
+  /// The open clip, where its edits are what was done last.
+  ClipEditor* edited_clip() {
+    ClipEditor* clip = motion.browser.editor();
+    return motion.edited_last && clip != nullptr && clip->is_edited() ? clip : nullptr;
+  }
+
   void tell(const Error& error) {
     message = error.message;
     is_error = true;

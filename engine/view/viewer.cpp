@@ -16,8 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The interface needs some frames after the last event to come to rest.
-constexpr int frames_to_rest = 3;
+/// The interface needs some frames after the last event to come to rest: what fades takes a sixth of a second.
+constexpr int frames_to_rest = 12;
 constexpr double capped_seconds = 1.0 / 60.0;
 /// Before a measured run: devices make shaders ready when they first draw.
 constexpr int warming_frames = 3;

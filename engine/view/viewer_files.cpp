@@ -44,6 +44,7 @@ void ViewerSession::open_beside(const std::string& file) {
   opening_options_ = document().options();
   opening_options_.scene = file;
   opened_over_ = document().revision();
+  opened_told_.clear();
   const std::string name = std::filesystem::path(file).filename().string();
   opening_.start("opening " + name, [options = opening_options_](TaskWatch& watch) -> Result<Stage> {
     auto stage = open_stage(options, watch);
@@ -101,6 +102,7 @@ void ViewerSession::take_opened() {
   }
   const char* done = reloads ? " read again" : " opened";
   if (const std::string unbound = without_skin(); !unbound.empty()) return say(unbound);
+  if (!opened_told_.empty()) return say(opened_told_);
   say(problems.empty() ? state_.file + done : problems.front(), false);
 }
 

@@ -42,6 +42,7 @@ void ViewerSession::take_edit(const Result<Touched>& done, const std::string& sa
     if (const auto back = document().take_back(); !back) spdlog::error("{}", back.error().message);
     return state_.playback.set_range(document().stage().range);
   }
+  state_.motion.edited_last = false;
   say(said);
 }
 
@@ -53,6 +54,11 @@ void ViewerSession::take_edit(const ViewState::Edit& edit) {
 }
 
 void ViewerSession::take_step(bool back) {
+  if (ClipEditor* clip = state_.edited_clip(); clip != nullptr && back) {
+    clip->take_back();
+    state_.motion.drag.reset();
+    return say("undone: edit of " + clip->name());
+  }
   if (back)
     if (const auto label = edits_.withdraw(document())) return say("not done: " + *label);
   const std::string label = back ? document().undo_label() : document().redo_label();

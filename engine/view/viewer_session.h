@@ -33,7 +33,7 @@ class ViewerSession {
   void go_on_from(const Preferences& preferences, const std::filesystem::path& file);
   Result<void> open(const SceneOptions& scene, std::vector<std::string>& problems);
   /// Shows a message.
-  void tell(const std::string& message) { say(message, true); }
+  void tell(const std::string& message) { say(message); }
   Result<ViewerReport> run(Window& window);
   /// Keeps edits that are not saved in a file of their own, for a window that ends without asking, and says so in the
   /// log.
@@ -134,6 +134,7 @@ class ViewerSession {
   bool reloading_ = false;          ///< what is being opened is the file that is shown
   std::size_t opened_over_ = 0;     ///< Document::revision() that what is opened may take the place of
   Camera camera_in_file_;           ///< as the file was opened
+  std::string opened_told_;         ///< what is said once the file that is being opened is there; empty: that it is
   bool leaves_once_saved_ = false;  ///< the user wants to save first
   bool closes_ = false;             ///< the user has agreed to it
   std::string own_file_;            ///< what was opened as a scene, or saved last: Save may replace it; empty: none

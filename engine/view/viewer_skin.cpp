@@ -47,7 +47,8 @@ void ViewerSession::follow_binding() {
   // Where the bare mesh alone is open there is nothing to keep: the new file is opened in its place.
   if (state_.file == mesh && !has_unsaved() && !opening_.running()) {
     open_beside(output);
-    return say(told);
+    opened_told_ = told;
+    return;
   }
   Scene scene = document().scene();
   bool used = false;

@@ -221,6 +221,9 @@ std::vector<std::filesystem::path> Window::take_dropped_files() { return std::ex
 std::vector<KeyPress> Window::take_key_presses() {
   std::vector<KeyPress> presses = std::exchange(impl_->presses, {});
   if (ImGui::GetIO().WantTextInput) presses.clear();
+  // A menu or question has the keys; the window can still be closed.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    std::erase_if(presses, [](const KeyPress& press) { return press.key != KeyboardKey::q; });
   return presses;
 }
 

@@ -60,7 +60,7 @@ class Window {
   void take_events(bool wait, double seconds = 1.0);
   /// True where something has happened since the last call.
   bool had_events();
-  /// Keys since the last call, in their order; none that went into a text field.
+  /// Keys since the last call, in their order; none that went into a text field or a menu.
   std::vector<KeyPress> take_key_presses();
   /// Files that were dropped onto the window since the last call.
   std::vector<std::filesystem::path> take_dropped_files();

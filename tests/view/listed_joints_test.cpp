@@ -27,5 +27,20 @@ TEST(ListedJoints, AJointOfTwoNamesHasOneTrack) {
   EXPECT_EQ(scene.characters[0].keys.size(), 1u);
 }
 
+TEST(ListedJoints, AJointWithoutANameIsCalledByItsHumanoidName) {
+  const Document document = opened("builtin:woman");
+  const StagedCharacter& woman = document.stage().characters[0];
+  const auto model = std::make_shared<Model>(*woman.model);
+  for (Node& node : model->nodes) node.name.clear();
+  StagedCharacter nameless;
+  nameless.model = model;
+  nameless.mesh = woman.mesh;
+  nameless.order = woman.order;
+  nameless.humanoid = woman.humanoid;
+  const std::vector<ListedJoint> joints = listed_joints(nameless);
+  EXPECT_NE(std::ranges::find(joints, "leftLowerArm", &ListedJoint::name), joints.end());
+  EXPECT_EQ(std::ranges::find(joints, "", &ListedJoint::name), joints.end()) << "a scene could not name it";
+}
+
 }  // namespace
 }  // namespace sinew::test
