@@ -77,7 +77,7 @@ void draw_list(const Document& document, ViewState& state) {
     ImGui::TextDisabled("%s", length.c_str());
   }
   if (!opened.empty()) browser.open(opened);
-  if (!played.empty()) ask_for_clip(document, state, played);
+  if (!played.empty()) state.edit = clip_edit(document, state, played);
 }
 
 /// Start, speed and weight of the motion that the character plays.
@@ -124,14 +124,14 @@ void draw_settings(const Document& document, ViewState& state) {
 
 }  // namespace
 
-void ask_for_clip(const Document& document, ViewState& state, const std::string& clip) {
+std::optional<ViewState::Edit> clip_edit(const Document& document, const ViewState& state, const std::string& clip) {
   Scene scene = document.scene();
-  if (state.character >= scene.characters.size()) return;
+  if (state.character >= scene.characters.size()) return {};
   std::optional<MotionUse>& motion = scene.characters[state.character].motion;
   MotionUse use = motion.value_or(MotionUse{});
   use.source = LibraryClip{clip};
   motion = std::move(use);
-  state.ask(std::move(scene), "motion " + clip);
+  return ViewState::Edit{std::move(scene), "motion " + clip, ""};
 }
 
 void draw_motion(const Document& document, ViewState& state) {

@@ -23,8 +23,8 @@ void draw_time(const Document& document, ViewState& state);
 void draw_motion(const Document& document, ViewState& state);
 void draw_curves(const Document& document, ViewState& state);
 
-/// Asks for a clip of the library as the motion of the character that is chosen.
-void ask_for_clip(const Document& document, ViewState& state, const std::string& clip);
+/// A clip of the library as the motion of the character that is chosen; nothing where none is.
+std::optional<ViewState::Edit> clip_edit(const Document& document, const ViewState& state, const std::string& clip);
 
 /// True where a character of the scene has a face that can be moved; one with regions, that can be drawn too.
 bool has_face(const Document& document);

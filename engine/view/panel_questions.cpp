@@ -41,10 +41,12 @@ void draw_replacing(ViewState& state) {
 }
 
 void draw_leaving(ViewState& state) {
-  if (!begin_question("Save the edits?", state.leaving && !state.replacing)) return;
+  if (!begin_question("Save the edits?", state.leaving && !state.replacing && !state.save)) return;
   draw_fitted_text(state.save_as, FittedEnd::last, name_width);
   ImGui::TextDisabled("%s", state.leaving && !state.leaving->file.empty() ? "is edited. Another file would drop that."
                                                                           : "is edited. Closing would drop that.");
+  if (const ClipEditor* clip = state.motion.browser.editor(); clip != nullptr && clip->is_edited())
+    ImGui::TextDisabled("Edits of clip %s are not saved: Motions does that, under a new name.", clip->name().c_str());
   ImGui::Spacing();
   if (state.leaving) state.leaving->shown = true;
   using Answer = ViewState::LeaveAnswer;

@@ -158,7 +158,10 @@ bool ViewerSession::may_close(Window& window) {
 void ViewerSession::leave(Window& window) {
   const ViewState::Leaving leaving = *std::exchange(state_.leaving, std::nullopt);
   leaves_once_saved_ = false;
-  if (!leaving.file.empty()) return open_beside(leaving.file);
+  if (!leaving.file.empty()) {
+    edits_.drop();
+    return open_beside(leaving.file);
+  }
   closes_ = true;
   window.close();
 }
@@ -206,8 +209,12 @@ void ViewerSession::take_file_requests(Window& window) {
              replace = std::exchange(state_.replace, false);
   if (asked) state_.replacing = is_others_file();
   if (replace || (asked && !state_.replacing)) {
+    const ClipEditor* clip = state_.motion.browser.editor();
     const bool saved = save();
-    if (saved && leaves_once_saved_) leave(window);
+    if (saved && leaves_once_saved_ && clip != nullptr && clip->is_edited())
+      say("the edits of clip " + clip->name() + " need a name: Motions saves them", true);
+    else if (saved && leaves_once_saved_)
+      leave(window);
   }
   // Not saved after all, nothing is left.
   if (leaves_once_saved_ && !state_.replacing && !state_.save) {

@@ -46,9 +46,7 @@ void ViewerSession::follow_library() {
   say(news->message, news->is_error);
   if (news->saved.empty()) return;
   state_.motion.save_as.clear();
-  std::optional<ViewState::Edit> panels = std::exchange(state_.edit, std::nullopt);
-  ask_for_clip(document(), state_, news->saved);
-  if (const auto edit = std::exchange(state_.edit, std::move(panels))) take_edit(*edit);
+  if (const auto edit = clip_edit(document(), state_, news->saved)) take_edit(*edit);
 }
 
 }  // namespace sinew

@@ -26,6 +26,11 @@ class ViewAct : public View {
     const Bytes bytes = read(name);
     return {bytes.begin(), bytes.end()};
   }
+  /// Makes room for the muscles' rows.
+  void close_look_and_deformer() const {
+    click(150, 122);
+    click(150, 149);
+  }
   /// The photo beside the scene is what render makes of it.
   void expect_photo_is_rendered() {
     ASSERT_TRUE(appears("scene_0000.png"));
@@ -113,8 +118,7 @@ TEST_F(ViewAct, AMusclesPeakIsDragged) {
   const nlohmann::json scene = after(
       "builtin:woman",
       [&] {
-        click(150, 122);          // Look closes
-        click(150, 149);          // so does Deformer
+        close_look_and_deformer();
         click(28, 203);           // the muscle opens, its region shows
         drag(97, 371, 147, 371);  // peak
       },
@@ -126,8 +130,7 @@ TEST_F(ViewAct, AMuscleIsSwitchedOffAndOthersAreAdded) {
   const nlohmann::json scene = after(
       "builtin:woman",
       [&] {
-        click(150, 122);  // Look closes
-        click(150, 149);  // so does Deformer
+        close_look_and_deformer();
         click(274, 203);  // the muscle's switch
         click(220, 233);  // all that fit
         act("key p");
